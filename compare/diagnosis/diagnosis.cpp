@@ -1,10 +1,12 @@
 #include "compare/diagnosis/diagnosis.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <span>
+#include <tuple>
 
+#include "compare/diagnosis/defect_set.h"
+#include "compare/diagnosis/description.h"
 #include "compare/diagnosis/hypotheses/catalogue.h"
 #include "compare/diagnosis/hypothesis_check.h"
 
@@ -15,200 +17,52 @@ namespace {
 constexpr std::size_t first_round = 128, second_round = 1000;  ///< claims of either kind per hypothesis
 constexpr std::size_t at_a_time = 4;
 constexpr std::size_t most_causes = 3;
-constexpr std::size_t most_looked_at = 20'000;  ///< defects that the next cause is sought among
+constexpr std::size_t most_weighed = 32;    ///< hypotheses whose open answers are counted, for each cause
 constexpr double least_saved_share = 0.75;  ///< of causes that are named (docs/diagnosis.md, "Calibration")
 constexpr double least_part = 0.05;         ///< of what the defects take: what a further cause must spare
 constexpr std::size_t most_runners_up = 3;
-
-/// A number in [0, 1) that looks random (SplitMix64, Steele, Lea and Flood 2014).
-double scattered(std::uint64_t k) {
-    std::uint64_t z = (k + 1) * 0x9E37'79B9'7F4A'7C15u;
-    z = (z ^ (z >> 30)) * 0xBF58'476D'1CE4'E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D0'49BB'1331'11EBu;
-    return double((z ^ (z >> 31)) >> 11) * 0x1p-53;
-}
-
-/// One of every `total / most` in a row, at a scattered place, so that no stride meets the image's columns.
-std::vector<std::size_t> spread(std::size_t total, std::size_t most) {
-    const std::size_t count = std::min(total, most);
-    std::vector<std::size_t> chosen(count);
-    for (std::size_t k = 0; k < count; ++k) {
-        const double place = double(k) + (count < total ? scattered(k) : 0.0);
-        chosen[k] = std::min(total - 1, std::size_t(place * double(total) / double(count)));
-    }
-    return chosen;
-}
-
-/// The cells of a grid over the view, and those that hold a defect.
-class CellGrid {
-  public:
-    CellGrid(const Verdict& verdict, Resolution cell)
-        : verdict_(verdict),
-          cell_(cell),
-          holds_defect_({cells_along(verdict.classes.size().width, cell.width),
-                         cells_along(verdict.classes.size().height, cell.height)}) {
-        for (const Finding& f : verdict.findings)
-            if (is_defect(f.verdict)) holds_defect_.at(f.x / cell.width, f.y / cell.height) = 1;
-    }
-
-    double count() const { return double(holds_defect_.pixels().size()); }
-    double with_defects() const { return double(std::ranges::count(holds_defect_.pixels(), 1)); }
-    /// The pixels that agree in cells that hold a defect.
-    std::vector<std::uint32_t> agreeing() const {
-        const Resolution size = verdict_.classes.size();
-        std::vector<std::uint32_t> pixels;
-        for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x)
-                if (verdict_.classes.at(x, y) == PixelClass::agree &&
-                    holds_defect_.at(x / cell_.width, y / cell_.height))
-                    pixels.push_back(std::uint32_t(y) * std::uint32_t(size.width) + std::uint32_t(x));
-        return pixels;
-    }
-
-  private:
-    static int cells_along(int side, int cell) { return (side + cell - 1) / cell; }
-
-    const Verdict& verdict_;
-    Resolution cell_;
-    Plane<std::uint8_t> holds_defect_;
-};
-
-/// Claims. Each stands for `weight` of the view's pixels.
-struct Sample {
-    std::vector<Claim> claims;
-    std::vector<double> weights;
-
-    void add(std::span<const Claim> some, double of_pixels) {
-        claims.insert(claims.end(), some.begin(), some.end());
-        weights.insert(weights.end(), some.size(), of_pixels / double(some.size()));
-    }
-};
-
-/// What a hypothesis must explain, and what it must not break.
-class DefectSet {
-  public:
-    DefectSet(const Frame& candidate, const Verdict& verdict) : candidate_(candidate), verdict_(verdict) {
-        for (const Finding& f : verdict.findings)
-            if (is_defect(f.verdict) && f.verdict != PixelClass::wrong_attribute)
-                defects_.push_back({f.x, f.y, f.candidate});
-    }
-
-    std::size_t defect_count() const { return defects_.size(); }
-    bool are_all_depths() const {
-        return std::ranges::all_of(defects_, [&](const Claim& claim) {
-            return verdict_.classes.at(claim.x, claim.y) == PixelClass::wrong_depth;
-        });
-    }
-    /// All of them, or an evenly spread part where they are very many.
-    std::vector<Claim> many() const { return defects(most_looked_at).claims; }
-    /// Keeps those alone that a hypothesis left: some of many().
-    void keep(std::vector<Claim> left) {
-        pixels_each_ *= double(defects_.size()) / double(std::min(defects_.size(), most_looked_at));
-        defects_ = std::move(left);
-    }
-    double pixel_count() const { return pixels_each_ * double(defects_.size()); }
-    Sample defects(std::size_t most) const {
-        std::vector<Claim> claims;
-        for (const std::size_t i : spread(defects_.size(), most)) claims.push_back(defects_[i]);
-        Sample sample;
-        sample.add(claims, pixel_count());
-        return sample;
-    }
-
-    /// Half of them where the candidate's id changes, as there are any: that is where much is left open.
-    Sample agreeing(Resolution cell, std::size_t most) {
-        const Agreeing& all = agreeing_beside(cell);
-        Sample sample;
-        for (const std::vector<std::uint32_t>* part : {&all.at_edges, &all.elsewhere}) {
-            std::vector<Claim> claims;
-            for (const std::size_t i : spread(part->size(), most / 2)) claims.push_back(claim_at((*part)[i]));
-            sample.add(claims, double(part->size()));
-        }
-        return sample;
-    }
-
-    /// Of a grid of such cells.
-    struct Cells {
-        double with_defects = 0, all = 0;
-    };
-    Cells cells(Resolution cell) { return agreeing_beside(cell).cells; }
-
-  private:
-    struct Agreeing {
-        std::vector<std::uint32_t> at_edges, elsewhere;
-        Cells cells;
-    };
-
-    const Agreeing& agreeing_beside(Resolution cell) {
-        const auto [entry, is_new] = agreeing_.try_emplace({cell.width, cell.height});
-        if (!is_new) return entry->second;
-        const CellGrid grid(verdict_, cell);
-        for (const std::uint32_t pixel : grid.agreeing())
-            (is_at_edge(pixel) ? entry->second.at_edges : entry->second.elsewhere).push_back(pixel);
-        entry->second.cells = {grid.with_defects(), grid.count()};
-        return entry->second;
-    }
-    PixelCoord place_of(std::uint32_t pixel) const {
-        const auto width = std::uint32_t(candidate_.size().width);
-        return {int(pixel % width), int(pixel / width)};
-    }
-    Claim claim_at(std::uint32_t pixel) const {
-        const auto [x, y] = place_of(pixel);
-        return {x, y, {candidate_.primitive.at(x, y), candidate_.camera_depth.at(x, y)}};
-    }
-    bool is_at_edge(std::uint32_t pixel) const {
-        const auto [x, y] = place_of(pixel);
-        const Resolution size = candidate_.size();
-        const PrimitiveId own = candidate_.primitive.at(x, y);
-        return (x > 0 && candidate_.primitive.at(x - 1, y) != own) ||
-               (y > 0 && candidate_.primitive.at(x, y - 1) != own) ||
-               (x + 1 < size.width && candidate_.primitive.at(x + 1, y) != own) ||
-               (y + 1 < size.height && candidate_.primitive.at(x, y + 1) != own);
-    }
-
-    const Frame& candidate_;
-    const Verdict& verdict_;
-    std::vector<Claim> defects_;
-    double pixels_each_ = 1;                            ///< that a defect stands for
-    std::map<std::pair<int, int>, Agreeing> agreeing_;  ///< by width and height of the cell
-};
 
 struct HypothesisTest {
     const Hypothesis* hypothesis = nullptr;
     std::size_t place = 0;  ///< in the order of all hypotheses
     Explanation outcome;
-    double saved_bits = 0;  ///< by which the frame is told shorter
-};
+    double saved_bits = 0;      ///< by which the frame is told shorter
+    std::uint64_t defects = 0;  ///< all that there are to explain
 
-/// The better first. Of equals, the more specific, which stood first.
-void rank(std::span<HypothesisTest> tests) {
-    std::ranges::sort(tests, {}, [](const HypothesisTest& t) { return std::pair{-t.saved_bits, t.place}; });
-}
-
-/// log2 of the ways to choose some of many: what it takes to tell which they are.
-double bits_of_choice(double some, double all) {
-    if (some <= 0 || some >= all) return 0;
-    const double share = some / all;
-    return -all * (share * std::log2(share) + (1 - share) * std::log2(1 - share));
-}
-
-/// The length of a description of the frame: how a hypothesis is scored (docs/diagnosis.md, "The score").
-class Description {
-  public:
-    Description(const Scene& scene, Resolution size, std::size_t hypotheses)
-        : bits_of_answer_(bits_of_an_id(scene) + 32),
-          pixels_(double(size.pixel_count())),
-          bits_of_name_(std::log2(double(hypotheses))) {}
-
-    /// Of pixels whose answers nothing predicts: which they are, and what they say.
-    double of_exceptions(double count) const {
-        return bits_of_choice(count, pixels_) + count * bits_of_answer_;
+    /// Does it say what must be wrong? What merely permits a defect leaves open why it is there.
+    bool makes_what_it_explains() const {
+        return hypothesis->only_permits || 2 * outcome.permitted < outcome.explained;
     }
-    double of_name() const { return bits_of_name_; }
-
-  private:
-    double bits_of_answer_, pixels_, bits_of_name_;
+    /// Pixels at which it may be mistaken, of so many.
+    double slips(std::uint64_t pixels) const {
+        return hypothesis->reads_surroundings ? alike_shares * double(pixels) : 0;
+    }
+    /// Does no pixel that was asked speak against it, the defects that it leaves apart?
+    bool is_not_refuted() const {
+        return double(outcome.contradicted) <= slips(outcome.checked) && makes_what_it_explains();
+    }
+    /// One wrong pixel proves nothing, neither for a rule nor against it.
+    bool leaves_nothing() const {
+        const std::uint64_t left = outcome.asked - outcome.explained;
+        return double(left) <= slips(outcome.asked) || (left == 1 && outcome.asked == defects);
+    }
+    /// Is it the whole cause, as far as was asked, and not only the least of several that would permit it?
+    bool suffices() const {
+        return is_not_refuted() && leaves_nothing() && !hypothesis->only_permits &&
+               outcome.saved_share >= least_saved_share;
+    }
 };
+
+/// The better first: what suffices, then what saves more. Of equals, the more specific, which stood first.
+void rank(std::span<HypothesisTest> tests) {
+    std::ranges::sort(tests, {}, [](const HypothesisTest& t) {
+        return std::tuple{!t.suffices(), -t.saved_bits, t.place};
+    });
+}
+
+bool is_better(const HypothesisTest& a, const HypothesisTest& b) {
+    return std::pair{a.suffices(), a.saved_bits} > std::pair{b.suffices(), b.saved_bits};
+}
 
 class Diagnoser {
   public:
@@ -223,6 +77,7 @@ class Diagnoser {
         open_bits_of_right_pixel_ = open_bits_of_right_pixel();
     }
 
+    /// One cause after the other, each of what those before it left.
     Diagnosis run() {
         const std::vector<HypothesisTest> first = best_tests();
         Diagnosis diagnosis = without_cause(first);
@@ -230,13 +85,17 @@ class Diagnoser {
         double saved_bits = 0;
         std::vector<Explanation> causes;
         for (std::vector<HypothesisTest> best = first; !best.empty(); best = best_tests()) {
-            if (best.front().saved_bits < least_part * all_bits) break;
-            saved_bits += best.front().saved_bits;
-            causes.push_back(best.front().outcome);
+            if (is_one_of_several(best)) put_what_supposes_no_rule_first(best);
+            const HypothesisTest& cause = best.front();
+            if (!cause.is_not_refuted() || is_one_of_several(best)) return diagnosis;
+            if (!cause.suffices() && cause.saved_bits < least_part * all_bits) return diagnosis;
+            saved_bits += cause.saved_bits;
+            causes.push_back(cause.outcome);
+            defect_set_.keep(cause.leaves_nothing() ? std::vector<Claim>() : left_by(*cause.hypothesis));
             if (causes.size() == most_causes) break;
-            defect_set_.keep(left_by(*best.front().hypothesis));
         }
-        if (saved_bits >= least_saved_share * all_bits) name(causes, first, diagnosis);
+        if (defect_set_.defect_count() == 0 && saved_bits >= least_saved_share * all_bits)
+            name(causes, first, diagnosis);
         return diagnosis;
     }
 
@@ -273,54 +132,109 @@ class Diagnoser {
         return tests;
     }
 
-    /// Of those that are as good as the best, the ones that learned nothing from the frames stand first.
+    /// How many of them do as well as the first.
+    static std::size_t alike(std::span<const HypothesisTest> ranked) {
+        const HypothesisTest& best = ranked.front();
+        const auto is_alike = [&](const HypothesisTest& t) {
+            return t.suffices() == best.suffices() &&
+                   t.outcome.saved_share > best.outcome.saved_share - alike_shares;
+        };
+        return std::size_t(std::ranges::find_if_not(ranked, is_alike) - ranked.begin());
+    }
+
+    /// Of those that do as well as the best, what speaks of the whole frame stands before what speaks of
+    /// parts, and what learned less from the frames before what learned more.
     void put_unlearned_first(std::vector<HypothesisTest>& ranked) const {
         if (ranked.empty()) return;
-        const double least = ranked.front().outcome.saved_share - alike_shares;
-        const auto alike = std::ranges::partition_point(
-            ranked, [&](const HypothesisTest& t) { return t.outcome.saved_share > least; });
         const Resolution whole = input_.candidate.frame.size();
-        std::stable_partition(ranked.begin(), alike, [&](const HypothesisTest& t) {
-            return t.hypothesis->learned_bits == 0 && t.hypothesis->cell == whole;
+        std::ranges::stable_sort(std::span(ranked).first(alike(ranked)), {}, [&](const HypothesisTest& t) {
+            return std::pair{t.hypothesis->cell != whole, t.hypothesis->learned_bits};
         });
     }
 
-    /// Counts what those that save the most leave open, a few at a time, and ranks them anew; how many of
-    /// them are worth a larger sample. What is left open makes a description longer: the rest cannot save
-    /// more than they seemed to.
+    /// Does another one, which rests on no more, do as well: a rule of another kind, or another fitted limit?
+    /// Then the frame does not tell which it is.
+    static bool is_one_of_several(std::span<const HypothesisTest> ranked) {
+        const Hypothesis& best = *ranked.front().hypothesis;
+        if (best.supposes_no_rule) return false;
+        return std::ranges::any_of(ranked.subspan(1, alike(ranked) - 1), [&](const HypothesisTest& t) {
+            const Hypothesis& other = *t.hypothesis;
+            if (other.only_permits || other.supposes_no_rule || other.cell != best.cell) return false;
+            if (best.fits_a_limit) return other.fits_a_limit;
+            return best.learned_bits == 0 && other.learned_bits == 0 && other.kind != best.kind;
+        });
+    }
+
+    /// Of those that do as well as the best.
+    static void put_what_supposes_no_rule_first(std::vector<HypothesisTest>& ranked) {
+        std::ranges::stable_partition(std::span(ranked).first(alike(ranked)),
+                                      [](const HypothesisTest& t) { return t.hypothesis->supposes_no_rule; });
+    }
+
+    /// Counts what those that seem best leave open, a few at a time, and ranks them anew; how many of them
+    /// are worth a larger sample. What is left open makes a description longer: the rest cannot save more
+    /// than they seemed to.
     std::size_t with_open_bits(std::span<HypothesisTest> ranked) {
         std::size_t asked = 0;
-        double most_saved = 0;
-        while (asked < ranked.size() && ranked[asked].saved_bits > most_saved) {
+        const auto may_be_best = [&](const HypothesisTest& t) {
+            return t.saved_bits > 0 && std::ranges::all_of(ranked.first(asked), [&](const auto& weighed) {
+                       return is_better(t, weighed);
+                   });
+        };
+        while (asked < std::min(ranked.size(), most_weighed) && may_be_best(ranked[asked])) {
             const std::span next = ranked.subspan(asked, std::min(at_a_time, ranked.size() - asked));
             ask(next, first_round, CheckDetail::open_bits);
-            for (const HypothesisTest& t : next) most_saved = std::max(most_saved, t.saved_bits);
             asked += next.size();
         }
         rank(ranked.first(asked));
         return std::min(asked, most_runners_up + 1);
     }
 
-    /// Puts up to `most` defects, and as many agreeing pixels, to every test's hypothesis.
+    /// Puts up to `most` defects, and as many agreeing pixels, to every test's hypothesis; and what is right
+    /// at the defects, where open answers are counted.
     void ask(std::span<HypothesisTest> tests, std::size_t most, CheckDetail detail) {
-        const Sample defects = defect_set_.defects(most);
-        std::vector<Sample> agreeing;
+        const ClaimSample defects = defect_set_.defects(most);
+        const std::vector<Claim> right =
+            detail == CheckDetail::open_bits ? right_answers(defects.claims) : std::vector<Claim>();
+        std::vector<ClaimSample> agreeing;
         for (const HypothesisTest& t : tests)
             agreeing.push_back(defect_set_.agreeing(t.hypothesis->cell, most));
         std::vector<HypothesisQuery> queries;
         for (std::size_t i = 0; i < tests.size(); ++i) {
             queries.push_back({tests[i].hypothesis, defects.claims});
             queries.push_back({tests[i].hypothesis, agreeing[i].claims});
-            queries.push_back({&declared_, agreeing[i].claims});
+            queries.push_back({tests[i].hypothesis, right, CheckDetail::admissibility});
         }
         const std::vector<std::vector<ClaimCheck>> checks = check_claims(input_, queries, detail);
-        for (std::size_t i = 0; i < tests.size(); ++i)
-            tell(tests[i], {defects, checks[3 * i]}, {agreeing[i], checks[3 * i + 1]},
-                 {agreeing[i], checks[3 * i + 2]});
+        for (std::size_t i = 0; i < tests.size(); ++i) {
+            const double declared_bits = detail == CheckDetail::open_bits
+                                             ? open_bits_as_declared(tests[i].hypothesis->cell, agreeing[i])
+                                             : 0;
+            tell(tests[i], {defects, checks[3 * i]}, {agreeing[i], checks[3 * i + 1]}, declared_bits);
+            tests[i].outcome.permitted = both_admissible(checks[3 * i], checks[3 * i + 2]);
+        }
+    }
+
+    /// What the reference says at these places.
+    std::vector<Claim> right_answers(std::vector<Claim> claims) const {
+        const Frame& reference = input_.reference.frame;
+        for (Claim& claim : claims)
+            claim.answer = {reference.primitive.at(claim.x, claim.y),
+                            reference.camera_depth.at(claim.x, claim.y)};
+        return claims;
+    }
+
+    /// 0 where one of them was not asked.
+    static std::uint64_t both_admissible(std::span<const ClaimCheck> some,
+                                         std::span<const ClaimCheck> other) {
+        std::uint64_t both = 0;
+        for (std::size_t i = 0; i < std::min(some.size(), other.size()); ++i)
+            both += some[i].is_admissible && other[i].is_admissible;
+        return both;
     }
 
     struct Checked {
-        const Sample& sample;
+        const ClaimSample& sample;
         std::span<const ClaimCheck> checks;
 
         std::uint64_t admissible() const {
@@ -340,19 +254,19 @@ class Diagnoser {
     };
 
     /// What the hypothesis explains and breaks, and how much shorter the frame is told with it.
-    void tell(HypothesisTest& test, const Checked& defects, const Checked& agreeing,
-              const Checked& agreeing_as_declared) {
+    void tell(HypothesisTest& test, const Checked& defects, const Checked& agreeing, double declared_bits) {
         const Hypothesis& h = *test.hypothesis;
         Explanation& e = test.outcome;
+        test.defects = defect_set_.defect_count();
         e.explained = defects.admissible();
         e.asked = defects.checks.size();
         e.contradicted = agreeing.checks.size() - agreeing.admissible();
         e.checked = agreeing.checks.size();
         const auto [with_defects, all_cells] = defect_set_.cells(h.cell);
-        const double told_with =
-            description_.of_name() + h.learned_bits + bits_of_choice(with_defects, all_cells) +
-            description_.of_exceptions(defects.exceptions() + agreeing.exceptions()) + defects.open_bits() +
-            agreeing.open_bits() - agreeing_as_declared.open_bits();
+        const double told_with = description_.of_name() + h.learned_bits +
+                                 bits_of_choice(with_defects, all_cells) +
+                                 description_.of_exceptions(defects.exceptions() + agreeing.exceptions()) +
+                                 defects.open_bits() + agreeing.open_bits() - declared_bits;
         test.saved_bits = description_.of_exceptions(defect_set_.pixel_count()) - told_with;
         e.saved_share = std::min(1.0, test.saved_bits / bits_of_defects());
     }
@@ -365,16 +279,22 @@ class Diagnoser {
 
     /// The mean over the defects, by the reference's answers there.
     double open_bits_of_right_pixel() {
-        std::vector<Claim> claims = defect_set_.defects(first_round).claims;
-        const Frame& reference = input_.reference.frame;
-        for (Claim& claim : claims)
-            claim.answer = {reference.primitive.at(claim.x, claim.y),
-                            reference.camera_depth.at(claim.x, claim.y)};
+        const std::vector<Claim> claims = right_answers(defect_set_.defects(first_round).claims);
         const HypothesisQuery query{&declared_, claims};
         const auto checks = check_claims(input_, {&query, 1}, CheckDetail::open_bits);
         double sum = 0;
         for (const ClaimCheck& check : checks.front()) sum += check.open_bits;
         return sum / double(claims.size());
+    }
+
+    /// Of the agreeing pixels beside defects in such cells, as many as the sample has; asked once.
+    double open_bits_as_declared(Resolution cell, const ClaimSample& agreeing) {
+        const auto [entry, is_new] =
+            declared_bits_.try_emplace({cell.width, cell.height, agreeing.claims.size()});
+        if (!is_new) return entry->second;
+        const HypothesisQuery query{&declared_, agreeing.claims};
+        const auto checks = check_claims(input_, {&query, 1}, CheckDetail::open_bits);
+        return entry->second = Checked{agreeing, checks.front()}.open_bits();
     }
 
     /// The defects that a hypothesis does not explain.
@@ -414,6 +334,8 @@ class Diagnoser {
     Hypothesis declared_;
     Description description_;
     double open_bits_of_right_pixel_ = 0;
+    /// By width and height of the cell, and the number of pixels.
+    std::map<std::tuple<int, int, std::size_t>, double> declared_bits_;
 };
 
 }  // namespace

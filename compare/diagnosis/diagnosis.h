@@ -1,4 +1,4 @@
-/// Why a view fails: hypotheses put to the judge, and the one that explains the most defects
+/// Why a view fails: hypotheses put to the judge, and the one that nothing speaks against
 /// (docs/diagnosis.md).
 #pragma once
 
@@ -21,6 +21,9 @@ struct Explanation {
                   checked = 0;  ///< pixels that agree and would not under it, of those checked
     std::string look_at{};      ///< where in a renderer's code to look first, a sentence
     double saved_share = 0;     ///< of what the defects take to be told: what it spares (docs/diagnosis.md)
+    /// Of the explained defects, those at which the right answer would be admissible under it as well: it
+    /// permits them, and does not make them.
+    std::uint64_t permitted = 0;
 };
 
 struct Diagnosis {
@@ -37,11 +40,11 @@ inline constexpr double alike_shares = 0.01;
 double explained_share(const Explanation& explanation);
 
 /// Tests every hypothesis on a verdict's defects, or on an evenly spread part of them where they are many.
-/// The cause is what shortens the description of the frame the most. It is named if it spares three quarters
-/// of what the defects take, with further causes of what it leaves, where there are some (docs/diagnosis.md,
-/// "The score"). Nothing without defects. Deterministic for any number of threads; frames as judge() wants
-/// them. `without`: names of hypotheses that are left out, to learn what is said of a cause that nobody
-/// thought of.
+/// A cause is named where nothing that was asked speaks against it and it shortens the description of the
+/// frame by three quarters of what the defects take, with further causes of what it leaves, where there are
+/// some (docs/diagnosis.md, "Named, or not"). Nothing without defects. Deterministic for any number of
+/// threads; frames as judge() wants them. `without`: names of hypotheses that are left out, to learn what is
+/// said of a cause that nobody thought of.
 std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
                                   const RenderedFrame& reference, const Verdict& verdict,
                                   std::span<const std::string> without = {});

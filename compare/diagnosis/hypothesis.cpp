@@ -1,9 +1,26 @@
 #include "compare/diagnosis/hypothesis.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace zproof {
+
+namespace {
+
+/// Where a float32 stands among all of them.
+double place_among_floats(double value) {
+    const auto bits = std::bit_cast<std::int32_t>(float(value));
+    return bits >= 0 ? bits : -double(bits & 0x7FFF'FFFF);
+}
+
+}  // namespace
+
+double floats_within(const ReportedDepth& range) {
+    return std::max(0.0, place_among_floats(range.high) - place_among_floats(range.low)) + 1;
+}
 
 Hypothesis as_declared(const DiagnosisInput& input, std::string name, std::string description) {
     return {.name = std::move(name),

@@ -37,8 +37,16 @@ struct Hypothesis {
     std::string look_at{};    ///< where in a renderer's code to look first: one sentence
     /// Bits that it takes to tell what it learned from the two frames.
     double learned_bits = 0;
+    bool fits_a_limit =
+        false;  ///< Is what it learned one number, such as a limit that it fits to the frames?
+    /// Does it read a claim by the pixels around? At outlines it may be mistaken.
+    bool reads_surroundings = false;
+    bool supposes_no_rule = false;  ///< Does it say what is missing, and not why?
+    int kind = 0;                   ///< which of the catalogue's: rules of two kinds suppose different things
     /// Does it move triangles? Then it is no cause where every defect is a depth.
     bool moves_triangles = false;
+    /// Does it say what may be wrong, and not what must? The right answer is admissible under it as well.
+    bool only_permits = false;
     /// A grid of such cells, px: what is supposed befell those cells that hold a defect, whole. Pixels that
     /// agree in them must be admissible under the hypothesis, too.
     Resolution cell;
@@ -50,6 +58,8 @@ struct Hypothesis {
     RuleOverride amend;
     /// What is reported where the depth lies within the bound. Absent: the depth.
     std::function<ReportedDepth(const DepthBound&, const Claim&)> report;
+    /// Where `restate` decides by itself (decided_by): the depths that the claim, as it stands, may have.
+    std::function<ReportedDepth(const Claim&)> decided_depth{};
     /// How many depths it can tell between two. Absent: every float32.
     std::function<double(const ReportedDepth&)> tellable{};
 };
@@ -61,6 +71,9 @@ struct DiagnosisInput {
     const RenderedFrame& candidate;
     const RenderedFrame& reference;
 };
+
+/// float32 values between both ends; at least 1.
+double floats_within(const ReportedDepth& range);
 
 /// Bits that name one triangle of the scene, or background.
 double bits_of_an_id(const Scene& scene);

@@ -1,7 +1,6 @@
 #include "compare/diagnosis/hypothesis_check.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -20,17 +19,6 @@ constexpr double farthest_shift_px = 1;
 /// Triangles beside a claim's own that are asked about to learn how much is left open.
 constexpr std::size_t most_others = 32;
 
-/// Where a float32 stands among all of them.
-double place_among_floats(double value) {
-    const auto bits = std::bit_cast<std::int32_t>(float(value));
-    return bits >= 0 ? bits : -double(bits & 0x7FFF'FFFF);
-}
-
-/// float32 values between both ends; at least 1.
-double floats_within(const ReportedDepth& range) {
-    return std::max(0.0, place_among_floats(range.high) - place_among_floats(range.low)) + 1;
-}
-
 /// A question's claims as they were meant, less those that fail by themselves.
 class RestatedClaims {
   public:
@@ -46,17 +34,25 @@ class RestatedClaims {
             claims_.push_back(*meant);
             asked_.push_back(i);
         }
-        count_ = query.claims.size();
+        said_ = query.claims;
+        detail_ = query.most_detail;
     }
 
     const Hypothesis& hypothesis() const { return hypothesis_; }
     const ViewBounds& bounds() const { return bounds_; }
     const std::vector<Claim>& claims() const { return claims_; }
-    std::size_t count() const { return count_; }                  ///< of the query's claims
+    std::size_t count() const { return said_.size(); }  ///< of the query's claims
+    CheckDetail most_detail() const { return detail_; }
     std::size_t asked(std::size_t i) const { return asked_[i]; }  ///< which of them claims()[i] is
 
-    /// log2 of the depths that the claim's triangle admits.
-    double depth_bits(const Claim& claim) const {
+    /// log2 of the depths that claims()[i]'s triangle admits.
+    double depth_bits(std::size_t i) const {
+        const Claim& said = said_[asked_[i]];
+        if (hypothesis_.decided_depth)
+            return said.answer.primitive == PrimitiveId::none
+                       ? 0
+                       : std::log2(floats_within(hypothesis_.decided_depth(said)));
+        const Claim& claim = claims_[i];
         if (claim.answer.primitive == PrimitiveId::none) return 0;
         const ReportedDepth range = range_of(claim);
         if (range.low == -unlimited && range.high == unlimited) return 0;
@@ -95,9 +91,10 @@ class RestatedClaims {
         const TriangleDepth triangle = depth_of(p_world);
         if (hypothesis_.report) {
             const ReportedDepth reported = hypothesis_.report(triangle.at(claim.x, claim.y), claim);
-            return reported.low <= depth && depth <= reported.high;
+            return reported.low <= depth && depth <= reported.high &&
+                   (std::isfinite(depth) || !std::isfinite(reported.low));
         }
-        return depth >= 0 &&
+        return (depth >= 0 || view.camera.near_depth < 0) &&
                check_depth(view, shown_bounds_, p_world, triangle, {claim.x, claim.y}, depth).is_admissible;
     }
 
@@ -106,7 +103,8 @@ class RestatedClaims {
     ViewBounds bounds_, shown_bounds_;
     std::vector<Claim> claims_;
     std::vector<std::size_t> asked_;  ///< by claim: its place in the query
-    std::size_t count_ = 0;
+    std::span<const Claim> said_;
+    CheckDetail detail_ = CheckDetail::open_bits;
 };
 
 /// The triangles that come near any pixel in question, as a scene of their own: small, so that every
@@ -178,11 +176,16 @@ class LocalScene {
     Scene scene_;
 };
 
-/// The same rules, and a hundredth of the work for each claim: about a hundred hypotheses are asked about it.
-/// A claim that needs more is none that the hypothesis explains.
-RuleOverride with_little_work(RuleOverride amend) {
-    return [amend = std::move(amend)](Neighbourhood& around, PrimitiveId answer) {
-        around.most_work = Neighbourhood{}.most_work / 100;
+/// A hundredth of the judge's work for each claim: about a hundred hypotheses are asked about it. A claim
+/// that needs more is none that the hypothesis explains.
+const std::size_t work_of_a_claim = Neighbourhood{}.most_work / 100;
+/// As much for all other answers in its place. One that needs more is left open.
+const std::size_t work_of_another = work_of_a_claim / most_others;
+
+/// The same rules, within that much work.
+RuleOverride with_little_work(std::size_t most_work, RuleOverride amend) {
+    return [most_work, amend = std::move(amend)](Neighbourhood& around, PrimitiveId answer) {
+        around.most_work = most_work;
         if (amend) amend(around, answer);
     };
 }
@@ -206,11 +209,15 @@ class ClaimsInScene {
     ClaimsInScene(const DiagnosisInput& input, const LocalScene& local_scene, const RestatedClaims& restated)
         : local_scene_(local_scene),
           restated_(restated),
-          in_local_scene_(local_scene.scene(), restated.hypothesis().view, {&restated.bounds()},
-                          QueryDetail::admissibility,
-                          with_little_work(in_local_scene(restated.hypothesis().amend, local_scene))),
+          own_(local_scene.scene(), restated.hypothesis().view, {&restated.bounds()},
+               QueryDetail::admissibility,
+               with_little_work(work_of_a_claim, in_local_scene(restated.hypothesis().amend, local_scene))),
+          others_(
+              local_scene.scene(), restated.hypothesis().view, {&restated.bounds()},
+              QueryDetail::admissibility,
+              with_little_work(work_of_another, in_local_scene(restated.hypothesis().amend, local_scene))),
           in_scene_(input.scene, restated.hypothesis().view, {&restated.bounds()}, QueryDetail::admissibility,
-                    with_little_work(restated.hypothesis().amend)) {}
+                    with_little_work(work_of_a_claim, restated.hypothesis().amend)) {}
 
     std::vector<ClaimCheck> check(CheckDetail detail) const {
         std::vector<Answered> own;
@@ -218,11 +225,12 @@ class ClaimsInScene {
             own.push_back({i, restated_.claims()[i].answer.primitive});
         std::vector<ClaimCheck> checks(restated_.count());
         std::vector<std::size_t> admissible;
-        for (const Answered& answered : admissible_among(own, Beyond::is_decided)) {
+        for (const Answered& answered : admissible_among(own)) {
             checks[restated_.asked(answered.claim)].is_admissible = true;
             admissible.push_back(answered.claim);
         }
-        if (detail == CheckDetail::open_bits) tell_open_bits(admissible, checks);
+        if (std::min(detail, restated_.most_detail()) == CheckDetail::open_bits)
+            tell_open_bits(admissible, checks);
         return checks;
     }
 
@@ -233,29 +241,43 @@ class ClaimsInScene {
         PrimitiveId primitive = PrimitiveId::none;
     };
 
-    /// Answers whose squares grow beyond the local scene's reach.
-    enum class Beyond { is_decided, is_left };
+    struct Decided {
+        const Answered* answered = nullptr;
+        Decision decision;
+    };
 
-    std::vector<Answered> admissible_among(const std::vector<Answered>& all, Beyond beyond) const {
-        std::vector<PixelQuery> queries, larger;
-        std::vector<const Answered*> asked, asked_again;
-        std::vector<Answered> admissible;
+    /// Those whose triangles are in the local scene. The rest is nowhere near.
+    std::vector<Decided> decided_by(const Adjudicator& adjudicator, const std::vector<Answered>& all) const {
+        std::vector<PixelQuery> queries;
+        std::vector<Decided> decided;
         for (const Answered& answered : all) {
             const Claim& claim = restated_.claims()[answered.claim];
             const std::optional<PrimitiveId> id = local_scene_.id_of(answered.primitive);
             if (!id) continue;
             queries.push_back({&restated_.bounds(), *id, claim.x, claim.y});
-            asked.push_back(&answered);
+            decided.push_back({&answered, {}});
         }
-        const std::vector<QueryResult> decided = in_local_scene_.decide(queries);
-        for (std::size_t i = 0; i < asked.size(); ++i) {
-            const Claim& claim = restated_.claims()[asked[i]->claim];
-            if (decided[i].decision.eps_px > local_scene_.reach_px(claim)) {
-                if (beyond == Beyond::is_left) continue;
-                larger.push_back({&restated_.bounds(), asked[i]->primitive, claim.x, claim.y});
-                asked_again.push_back(asked[i]);
-            } else if (is_admissible(decided[i].decision.admissibility)) {
-                admissible.push_back(*asked[i]);
+        const std::vector<QueryResult> results = adjudicator.decide(queries);
+        for (std::size_t i = 0; i < decided.size(); ++i) decided[i].decision = results[i].decision;
+        return decided;
+    }
+
+    /// Does its square grow beyond the local scene's reach?
+    bool is_beyond(const Decided& d) const {
+        return d.decision.eps_px > local_scene_.reach_px(restated_.claims()[d.answered->claim]);
+    }
+
+    std::vector<Answered> admissible_among(const std::vector<Answered>& all) const {
+        std::vector<PixelQuery> larger;
+        std::vector<const Answered*> asked_again;
+        std::vector<Answered> admissible;
+        for (const Decided& d : decided_by(own_, all)) {
+            const Claim& claim = restated_.claims()[d.answered->claim];
+            if (is_beyond(d)) {
+                larger.push_back({&restated_.bounds(), d.answered->primitive, claim.x, claim.y});
+                asked_again.push_back(d.answered);
+            } else if (is_admissible(d.decision.admissibility)) {
+                admissible.push_back(*d.answered);
             }
         }
         const std::vector<QueryResult> decided_again = in_scene_.decide(larger);
@@ -276,15 +298,15 @@ class ClaimsInScene {
             for (const std::uint32_t triangle : std::span(nearby).first(std::min(nearby.size(), most_others)))
                 if (PrimitiveId(triangle) != own) others.push_back({i, PrimitiveId(triangle)});
         }
-        for (const Answered& answered : admissible_among(others, Beyond::is_left)) ++answers[answered.claim];
+        for (const Decided& d : decided_by(others_, others))
+            if (!is_beyond(d) && !is_inadmissible(d.decision.admissibility)) ++answers[d.answered->claim];
         for (const std::size_t i : claims)
-            checks[restated_.asked(i)].open_bits =
-                std::log2(answers[i]) + restated_.depth_bits(restated_.claims()[i]);
+            checks[restated_.asked(i)].open_bits = std::log2(answers[i]) + restated_.depth_bits(i);
     }
 
     const LocalScene& local_scene_;
     const RestatedClaims& restated_;
-    Adjudicator in_local_scene_, in_scene_;
+    Adjudicator own_, others_, in_scene_;
 };
 
 }  // namespace

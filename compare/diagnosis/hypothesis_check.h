@@ -8,12 +8,6 @@
 
 namespace zproof {
 
-/// Claims and the hypothesis that reads them.
-struct HypothesisQuery {
-    const Hypothesis* hypothesis = nullptr;
-    std::span<const Claim> claims;
-};
-
 /// What a hypothesis says of a claim.
 struct ClaimCheck {
     bool is_admissible = false;
@@ -25,6 +19,13 @@ struct ClaimCheck {
 enum class CheckDetail {
     admissibility,
     open_bits,  ///< takes several times as long
+};
+
+/// Claims and the hypothesis that reads them.
+struct HypothesisQuery {
+    const Hypothesis* hypothesis = nullptr;
+    std::span<const Claim> claims;
+    CheckDetail most_detail = CheckDetail::open_bits;  ///< no more is asked than the call asks
 };
 
 /// Checks every claim of each query, in order. Queries of one call share one pass over the scene. Runs on all

@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <functional>
 #include <ostream>
 
 #include "oracle/embree.h"
@@ -168,7 +169,7 @@ TEST(Diagnosis, NamesAFurtherCauseOfWhatTheFirstLeaves) {
     const auto diagnosis = fixture.diagnosis_of(faulty(fixture, "transposed"));
     expect_cause(diagnosis, "the image is transposed");
     ASSERT_EQ(diagnosis->further.size(), 1u) << told(diagnosis);
-    EXPECT_EQ(diagnosis->further[0].name, "columns are missing");
+    EXPECT_EQ(diagnosis->further[0].name, "the last columns are missing");
 }
 
 TEST(Diagnosis, OneWrongPixelProvesNoRule) {
@@ -178,6 +179,48 @@ TEST(Diagnosis, OneWrongPixelProvesNoRule) {
     const auto diagnosis = fixture.diagnosis_of(frame);
     expect_cause(diagnosis, "");
     EXPECT_EQ(diagnosis->defects, 1u);
+}
+
+/// Declared planes are not those that were drawn with. The rasterizer knows nothing of the hypothesis.
+std::optional<Diagnosis> diagnosis_with_planes(const std::string& scene, std::size_t view_index,
+                                               const std::function<void(Camera&)>& changed) {
+    const DiagnosisFixture fixture(scene, view_index);
+    View other = fixture.view();
+    changed(other.camera);
+    return fixture.diagnosis_of(rasterizer::render(fixture.scene(), other));
+}
+
+TEST(Diagnosis, NamesANearPlaneThatLiesNearerOrFarther) {
+    const auto nearer = diagnosis_with_planes("near_plane", 0, [](Camera& c) { c.near_depth *= 0.7; });
+    const auto farther = diagnosis_with_planes("near_plane", 0, [](Camera& c) { c.near_depth *= 1.05; });
+    expect_cause(nearer, "the near plane lies nearer");
+    expect_cause(farther, "the near plane lies farther");
+}
+
+TEST(Diagnosis, NamesTheFarClipThatAParallelViewMisses) {
+    const auto missing = diagnosis_with_planes("parallel_planes", 0, [](Camera& c) { c.far_depth = 1e6; });
+    expect_cause(missing, "the far clip is missing");
+}
+
+TEST(Diagnosis, NamesPixelsTakenForSquare) {
+    const DiagnosisFixture fixture("room", 0);
+    View declared = fixture.view();
+    declared.camera.window.left *= 1.5;
+    declared.camera.window.right *= 1.5;
+    const Frame reference = oracle::Embree(fixture.scene()).trace(declared);
+    const Frame frame = rasterizer::render(fixture.scene(), fixture.view());  // its pixels are square
+    const RenderedFrame ours{frame, rasterizer::precision()}, theirs{reference, oracle::embree_precision()};
+    expect_cause(
+        diagnose(fixture.scene(), declared, ours, theirs, judge(fixture.scene(), declared, ours, theirs)),
+        "pixels are taken for square: the width follows the height");
+}
+
+/// A row is missing, and ten depths are wrong for no reason.
+TEST(Diagnosis, NamesNoCauseThatLeavesDefects) {
+    const DiagnosisFixture fixture("room", 0);
+    Frame frame = faulty(fixture, "row_lost");
+    for (int x = 100; x < 110; ++x) frame.camera_depth.at(x, 40) *= 1.1f + 0.01f * float(x);
+    expect_cause(fixture.diagnosis_of(frame), "");
 }
 
 TEST(Diagnosis, DoesNotDependOnThreads) {

@@ -11,7 +11,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 
-Mutant = collections.namedtuple("Mutant", "area sentence name file find put survives mode cause")
+Mutant = collections.namedtuple("Mutant", "area sentence name file find put survives mode cause symptom")
 
 
 class Refusal(Exception):
@@ -20,10 +20,11 @@ class Refusal(Exception):
 
 def mutant_of(area, lines):
     """`survives` says why nothing can catch it; empty where something should. `mode`: of the plain renderer. `cause`: how
-    the diagnosis's right name begins; empty where no hypothesis describes it."""
+    the diagnosis's right name begins; empty where no hypothesis describes it. `symptom`: how a name begins that is true
+    of the frame, and does not say why."""
     fields = {key: value.strip() for key, value in (line.split(":", 1) for line in lines[1:])}
     return Mutant(area, lines[0], fields["name"], fields["file"], fields["find"], fields["put"],
-                  fields.get("survives", ""), fields.get("mode", ""), fields.get("cause", ""))
+                  fields.get("survives", ""), fields.get("mode", ""), fields.get("cause", ""), fields.get("symptom", ""))
 
 
 def read_catalogue(name):

@@ -117,12 +117,18 @@ def page(rows, lines, false_alarms, catalogue_size):
     return text + "\n## Injected faults\n\n" + table(COLUMNS, [fault_row(line) for line in faults])
 
 
+def is_one_of(cause, names):
+    return any(name and cause.startswith(name) for name in names.split("|"))
+
+
 def named_as(mutant, line):
     """What the named cause is worth. One that nobody foresaw for the defect is wrong."""
     cause = line.get("cause")
     if cause is None:
         return "none"
-    return "right" if any(name and cause.startswith(name) for name in mutant.cause.split("|")) else "wrong"
+    if is_one_of(cause, mutant.cause):
+        return "right"
+    return "symptom" if is_one_of(cause, mutant.symptom) else "wrong"
 
 
 def plain_row(row):
@@ -149,14 +155,16 @@ def plain_sums(rows):
     caught = [row for row in rows if row["line"]]
     reasons = collections.Counter(row["mutant"].survives.split(":")[0] for row in rows if not row["line"])
     worth = collections.Counter((bool(row["mutant"].cause), named_as(row["mutant"], row["line"])) for row in caught)
-    described, named = worth[True, "right"], sum(worth[has, word] for has in (True, False) for word in ("right", "wrong"))
+    words = ("right", "symptom", "wrong", "none")
+    sums = {word: worth[True, word] + worth[False, word] for word in words}
+    named = sums["right"] + sums["symptom"] + sums["wrong"]
     lines = [f"{share(len(caught), len(rows))} are caught."]
     lines += [f"Of those that survive, {count}: {reason or 'nobody knows why'}." for reason, count in sorted(reasons.items())]
-    lines += [f"A hypothesis describes {sum(worth[True, word] for word in ('right', 'wrong', 'none'))} of the caught; the "
-              f"diagnosis names {described} of them rightly, {worth[True, 'wrong']} wrongly, and {worth[True, 'none']} not.",
-              f"No hypothesis describes {sum(worth[False, word] for word in ('right', 'wrong', 'none'))}; it names none for "
-              f"{worth[False, 'none']} of them, and a wrong one for {worth[False, 'wrong']}.",
-              f"So of the {named} causes that it names, {described} are right ({100 * described / max(1, named):.0f} %)."]
+    for has, whose in ((True, "A hypothesis describes"), (False, "No hypothesis describes")):
+        told = ", ".join(f"{worth[has, word]} {word}" for word in words)
+        lines.append(f"{whose} {sum(worth[has, word] for word in words)} of the caught: {told}.")
+    lines.append(f"Of the {named} causes that it names, {sums['right']} are right, {sums['symptom']} are true of the frame "
+                 f"and do not say why, and {sums['wrong']} are wrong ({100 * sums['wrong'] / max(1, named):.0f} %).")
     return "\n".join(lines) + "\n"
 
 

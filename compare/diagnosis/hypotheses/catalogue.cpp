@@ -1,21 +1,58 @@
 #include "compare/diagnosis/hypotheses/catalogue.h"
 
-#include <iterator>
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
 
 #include "compare/diagnosis/hypotheses/look_at.h"
 
 namespace zproof {
 
+namespace {
+
+bool is_blank(const Frame& frame) {
+    return std::ranges::all_of(frame.primitive.pixels(),
+                               [](PrimitiveId id) { return id == PrimitiveId::none; });
+}
+
+enum Kind { signs, place, depth, ids, dropped, drawing, coverage, parts, precision };
+
+struct Family {
+    Kind kind;
+    std::vector<Hypothesis> (*hypotheses)(const DiagnosisInput&);
+};
+
+constexpr std::array all_families{Family{signs, hypotheses_of_signs},
+                                  Family{place, hypotheses_of_place},
+                                  Family{place, hypotheses_of_grid},
+                                  Family{depth, hypotheses_of_depth},
+                                  Family{depth, hypotheses_of_depth_elsewhere},
+                                  Family{ids, hypotheses_of_ids},
+                                  Family{ids, hypotheses_of_shared_ids},
+                                  Family{dropped, hypotheses_of_dropped_triangles},
+                                  Family{drawing, hypotheses_of_drawing},
+                                  Family{coverage, hypotheses_of_coverage},
+                                  Family{parts, hypotheses_of_parts},
+                                  Family{place, hypotheses_of_window},
+                                  Family{precision, hypotheses_of_precision}};
+
+/// Of a frame without any triangle: what else could be wrong does not show.
+constexpr std::array families_of_blank_frames{Family{dropped, hypotheses_of_dropped_triangles},
+                                              Family{parts, hypotheses_of_blank_frames}};
+
+}  // namespace
+
 std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input) {
+    const std::span<const Family> families = is_blank(input.candidate.frame)
+                                                 ? std::span<const Family>(families_of_blank_frames)
+                                                 : std::span<const Family>(all_families);
     std::vector<Hypothesis> all;
-    for (const auto family :
-         {hypotheses_of_signs, hypotheses_of_place, hypotheses_of_grid, hypotheses_of_depth,
-          hypotheses_of_depth_elsewhere, hypotheses_of_ids, hypotheses_of_shared_ids,
-          hypotheses_of_dropped_triangles, hypotheses_of_drawing, hypotheses_of_coverage, hypotheses_of_parts,
-          hypotheses_of_window, hypotheses_of_precision}) {
-        std::vector<Hypothesis> more = family(input);
-        all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-    }
+    for (const Family& family : families)
+        for (Hypothesis& h : family.hypotheses(input)) {
+            h.kind = family.kind;
+            all.push_back(std::move(h));
+        }
     for (Hypothesis& h : all) h.look_at = look_at(h.name);
     return all;
 }

@@ -35,7 +35,11 @@ std::vector<Hypothesis> hypotheses_of_window(const DiagnosisInput& input);
 /// Less precision than was declared, the least loss first.
 std::vector<Hypothesis> hypotheses_of_precision(const DiagnosisInput& input);
 
+/// Nothing was drawn.
+std::vector<Hypothesis> hypotheses_of_blank_frames(const DiagnosisInput& input);
+
 /// All hypotheses, the more specific first: of two that explain the same, the first is named.
+/// Of a frame without any triangle, those alone that would leave it blank.
 std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input);
 
 }  // namespace zproof

@@ -220,6 +220,7 @@ std::vector<Hypothesis> fitted_to_area(const DiagnosisInput& input) {
                               "Triangles whose image is smaller than " + number_text(*limit, 3) +
                                   " px^2 are not drawn: a limit fitted to what is missing.");
     h.learned_bits = bits_of_a_number;
+    h.fits_a_limit = true;
     return {h};
 }
 
@@ -245,6 +246,7 @@ std::vector<Hypothesis> fitted_to_determinant(const DiagnosisInput& input) {
                                      "Rays miss triangles whose determinant is below " +
                                          number_text(*limit, 3) + ": a limit fitted to what is missing.");
     h.learned_bits = bits_of_a_number;
+    h.fits_a_limit = true;
     return {h};
 }
 
@@ -263,6 +265,7 @@ std::vector<Hypothesis> beyond_a_count(const DiagnosisInput& input) {
                     return n.triangle > last_drawn ? Fate::dropped : Fate::drawn;
                 });
     h.learned_bits = bits_of_a_number;
+    h.fits_a_limit = true;
     return {h};
 }
 

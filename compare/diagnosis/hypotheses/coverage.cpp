@@ -85,10 +85,17 @@ bool touches(OtherWorld& world, const View& view, const Claim& claim) {
 Hypothesis over(const DiagnosisInput& input) {
     const auto world =
         std::make_shared<OtherWorld>(declared_scene(input), input.view, input.candidate.precision);
-    return decided_by(
+    Hypothesis h = decided_by(
         input, "triangles show wherever they touch a pixel",
         "Coverage asks for any part of the pixel's square instead of its centre.",
-        [world, view = input.view](const Claim& claim) { return touches(*world, view, claim); });
+        [world, view = input.view](const Claim& claim) { return touches(*world, view, claim); },
+        [world, view = input.view](const Claim& claim) {
+            const CornersWorld p_world = corners_of(world->scene(), std::uint32_t(claim.answer.primitive));
+            const ViewRay<double> ray(view, claim.x, claim.y);
+            return plane_depth(neighbour_of(ray, world->bounds(), p_world), view.camera.projection, {0, 0});
+        });
+    h.only_permits = true;  // of coplanar triangles that touch a pixel, any
+    return h;
 }
 
 }  // namespace

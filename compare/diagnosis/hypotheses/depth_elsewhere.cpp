@@ -160,6 +160,7 @@ std::vector<Hypothesis> fitted(const DiagnosisInput& input, const std::string& n
     Hypothesis h =
         as_declared(input, name, description + number_text(shown ? shown(*number) : *number, 6) + ".");
     h.learned_bits = bits_of_a_number;
+    h.fits_a_limit = true;
     h.report = [form, number = *number](const DepthBound& bound, const Claim&) {
         const double one = form.told(number, bound.low), other = form.told(number, bound.high);
         const double room = std::max(form.rounding(number, bound.low), form.rounding(number, bound.high));
@@ -221,21 +222,22 @@ std::vector<Hypothesis> clipped_elsewhere(const DiagnosisInput& input) {
         farthest = std::max(farthest, double(depth));
     }
     const Camera& c = input.view.camera;
-    if (!(nearest < farthest) || nearest < c.near_depth || farthest > c.far_depth) return {};
+    if (!(nearest < farthest)) return {};
     const auto clipped_at_depths = [&](const std::string& name, const std::string& description,
                                        double near_depth, double far_depth) {
         Hypothesis h = as_declared(input, name, description);
         h.learned_bits = bits_of_a_number;
+        h.fits_a_limit = true;
         h.view.camera.near_depth = near_depth;
         h.view.camera.far_depth = far_depth;
         return h;
     };
     return {clipped_at_depths(
-                "the far plane lies nearer",
+                farthest < c.far_depth ? "the far plane lies nearer" : "the far plane lies farther",
                 "Nothing is drawn beyond the farthest depth of the frame, " + number_text(farthest, 6) + ".",
                 c.near_depth, farthest),
             clipped_at_depths(
-                "the near plane lies farther",
+                nearest > c.near_depth ? "the near plane lies farther" : "the near plane lies nearer",
                 "Nothing is drawn before the nearest depth of the frame, " + number_text(nearest, 6) + ".",
                 nearest, c.far_depth)};
 }

@@ -131,6 +131,7 @@ std::string factor_text(double factor) {
 Hypothesis apart_from_ids(const DiagnosisInput& input, int dx, int dy, const std::string& where) {
     Hypothesis h = as_declared(input, "depths lie one pixel " + where + " of their ids",
                                "The depth of a pixel belongs to its neighbour's id.");
+    h.reads_surroundings = true;
     h.restate = [dx, dy, &frame = input.candidate.frame](Claim claim) -> std::optional<Claim> {
         const Claim moved{claim.x - dx, claim.y - dy, claim.answer};
         if (!holds(frame.size(), moved)) return std::nullopt;

@@ -34,10 +34,12 @@ RuleOverride ordered_by(Range range) {
 using Range = std::pair<double, double>;
 
 std::vector<Hypothesis> of_the_depth_test(const DiagnosisInput& input) {
-    return {with_rule(input, "the depth test is reversed", "The farthest triangle is seen.",
-                      ordered_by([](const Neighbour& n) {
-                          return Range{-n.greatest_inverse_depth, -n.least_inverse_depth};
-                      })),
+    Hypothesis reversed = with_rule(input, "the depth test is reversed", "The farthest triangle is seen.",
+                                    ordered_by([](const Neighbour& n) {
+                                        return Range{-n.greatest_inverse_depth, -n.least_inverse_depth};
+                                    }));
+    reversed.only_permits = true;  // ranges of whole triangles overlap
+    return {reversed,
             with_rule(input, "the depth test is missing: the last drawn wins",
                       "The triangle with the greatest index is seen, at whatever depth.",
                       ordered_by([](const Neighbour& n) {
@@ -89,13 +91,15 @@ bool may_lie_on_edge(const Neighbourhood& around, const Neighbour& n) {
 
 /// Holes only: a pixel that two neighbours both claim shows one of them, admissibly.
 Hypothesis without_fill_rule(const DiagnosisInput& input) {
-    return with_rule(input, "the top-left rule is missing",
-                     "A centre exactly on an edge belongs to no triangle: holes along shared edges.",
-                     [](Neighbourhood& around, PrimitiveId answer) {
-                         std::erase_if(around.neighbours, [&](const Neighbour& n) {
-                             return PrimitiveId(n.triangle) != answer && may_lie_on_edge(around, n);
-                         });
-                     });
+    Hypothesis h = with_rule(input, "the top-left rule is missing",
+                             "A centre exactly on an edge belongs to no triangle: holes along shared edges.",
+                             [](Neighbourhood& around, PrimitiveId answer) {
+                                 std::erase_if(around.neighbours, [&](const Neighbour& n) {
+                                     return PrimitiveId(n.triangle) != answer && may_lie_on_edge(around, n);
+                                 });
+                             });
+    h.only_permits = true;  // what lies on an edge is known within eps alone
+    return h;
 }
 
 Hypothesis clipped_at(const DiagnosisInput& input, const std::string& name, const std::string& description,
@@ -106,15 +110,31 @@ Hypothesis clipped_at(const DiagnosisInput& input, const std::string& name, cons
     return h;
 }
 
-/// A plane so near, or so far, that nothing of any size lies beyond.
-constexpr double next_to_nothing = 0x1p-20, out_of_the_way = 0x1p200;
+/// A plane so near that nothing of any size lies before it.
+constexpr double next_to_nothing = 0x1p-20;
+
+/// Depths between which everything lies that the camera may see, with room to spare.
+struct DepthRange {
+    double nearest, farthest;
+};
+
+DepthRange all_depths(const Scene& scene, const Camera& camera) {
+    DepthRange range{camera.near_depth, camera.far_depth};
+    for (const glm::vec3& p : scene.vertices.position_world) {
+        const double depth = -dot(camera.back, glm::dvec3(p) - glm::dvec3(camera.eye_world));
+        range = {std::min(range.nearest, depth), std::max(range.farthest, depth)};
+    }
+    const double size = range.farthest - range.nearest;
+    return {range.nearest - size, range.farthest + size};
+}
 
 std::vector<Hypothesis> of_clipping(const DiagnosisInput& input) {
     const Camera& c = input.view.camera;
     const bool perspective = c.projection == Projection::perspective;
+    const DepthRange everything = all_depths(input.scene, c);
     std::vector<Hypothesis> all{
         clipped_at(input, "the near clip is missing", "What lies between eye and near plane is drawn, too.",
-                   perspective ? c.near_depth * next_to_nothing : -out_of_the_way, c.far_depth)};
+                   perspective ? c.near_depth * next_to_nothing : everything.nearest, c.far_depth)};
     if (perspective) {
         const double ratio = c.near_depth / c.far_depth;
         all.push_back(clipped_at(input, "the near clip is that of z >= 0 (NDC z is -1 to 1)",
@@ -125,9 +145,9 @@ std::vector<Hypothesis> of_clipping(const DiagnosisInput& input) {
                                  c.near_depth / (2 - ratio), c.far_depth));
     }
     if (std::isfinite(c.far_depth))
-        all.push_back(clipped_at(input, "the far clip is missing",
-                                 "What lies beyond the far plane is drawn, too.", c.near_depth,
-                                 perspective ? std::numeric_limits<double>::infinity() : out_of_the_way));
+        all.push_back(clipped_at(
+            input, "the far clip is missing", "What lies beyond the far plane is drawn, too.", c.near_depth,
+            perspective ? std::numeric_limits<double>::infinity() : everything.farthest));
     return all;
 }
 
@@ -150,6 +170,7 @@ Hypothesis lost_triangles(const DiagnosisInput& input) {
                                     [&](const Neighbour& n) { return missing.contains(n.triangle); });
                   });
     h.learned_bits = double(missing.size()) * bits_of_an_id(input.scene);
+    h.supposes_no_rule = true;
     return h;
 }
 

@@ -147,6 +147,7 @@ std::vector<Hypothesis> fitted_shift(const DiagnosisInput& input) {
                                "Each pixel holds what belongs (" + number_text(offset.x, 4) + ", " +
                                    number_text(offset.y, 4) + ") px from its centre: fitted to the edges.");
     h.learned_bits = 2 * bits_of_a_number;
+    h.fits_a_limit = true;
     h.view = shifted_view(input.view, -offset);
     return {h};
 }

@@ -90,6 +90,7 @@ Hypothesis of_vertices(const DiagnosisInput& input) {
 Hypothesis apart_from_depths(const DiagnosisInput& input, int dx, int dy, const std::string& where) {
     Hypothesis h = as_declared(input, "ids lie one pixel " + where + " of their depths",
                                "The id of a pixel belongs to its neighbour's depth.");
+    h.reads_surroundings = true;
     h.restate = [dx, dy, &frame = input.candidate.frame](Claim claim) -> std::optional<Claim> {
         const Claim moved{claim.x - dx, claim.y - dy, claim.answer};
         if (!holds(frame.size(), moved)) return std::nullopt;
@@ -119,8 +120,9 @@ Hypothesis exchanged(const DiagnosisInput& input) {
     const Ids there = most_often_with(ours, theirs), back = most_often_with(theirs, ours);
     const auto meant = [there, back](std::uint32_t id) {
         const auto triangle = there.find(id);
-        if (triangle == there.end()) return id;
-        return back.at(triangle->second) == id ? triangle->second : id;
+        if (triangle != there.end()) return back.at(triangle->second) == id ? triangle->second : id;
+        const auto other = back.find(id);  // the triangle of that index has another's id
+        return other != back.end() && there.at(other->second) == id ? nobody : id;
     };
     Hypothesis h = with_ids(
         input, "ids are exchanged",

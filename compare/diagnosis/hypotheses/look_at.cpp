@@ -147,9 +147,8 @@ constexpr std::array drawing{
     Advice{"the near clip",
            "Look at the near plane's equation in clip space: it depends on the range of NDC z."},
     Advice{"the far clip", "Look at the far plane: depth clamping, or a ray whose end is not far."},
-    Advice{"the near plane lies farther",
-           "Look at near: the projection matrix's, the ray's start, scene units."},
-    Advice{"the far plane lies nearer", "Look at far: the projection matrix's, the ray's end, scene units."},
+    Advice{"the near plane lies", "Look at near: the projection matrix's, the ray's start, scene units."},
+    Advice{"the far plane lies", "Look at far: the projection matrix's, the ray's end, scene units."},
     Advice{"the top-left rule",
            "Look at the edge test: one of two triangles must own a centre on their edge."},
     Advice{"back faces",
@@ -169,6 +168,11 @@ constexpr std::array drawing{
 
 constexpr std::array parts{
     Advice{"nothing was drawn", "Look at whether the draw call is reached, and at what the camera sees."},
+    Advice{"the last rows", "Look at the last block of rows, and at how the height is divided among them."},
+    Advice{"the last columns",
+           "Look at the last block of columns, and at how the width is divided among them."},
+    Advice{"the first rows", "Look at the scissor, the viewport, and loop bounds."},
+    Advice{"the first columns", "Look at the scissor, the viewport, and loop bounds."},
     Advice{"rows are missing", "Look at how rows are shared among threads, and at loop bounds."},
     Advice{"columns are missing", "Look at the last block of each row, and at loop bounds."},
     Advice{"tiles of", "Look at binning: which tiles a triangle is listed in, and which tiles are run."},
@@ -177,6 +181,8 @@ constexpr std::array parts{
 };
 
 constexpr std::array windows{
+    Advice{"pixels are taken for square",
+           "Look at the aspect: it is the window's width by its height, not the picture's."},
     Advice{"the window's width and height", "Look at the projection's arguments: x and y are exchanged."},
     Advice{"the window's offset",
            "Look at the projection's arguments: left, right, bottom and top need not lie about the axis."},

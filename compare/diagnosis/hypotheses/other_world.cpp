@@ -1,5 +1,6 @@
 #include "compare/diagnosis/hypotheses/other_world.h"
 
+#include <cmath>
 #include <utility>
 
 #include "compare/admissible/depth_rule.h"
@@ -68,12 +69,20 @@ bool OtherWorld::may_show(const Claim& claim) const {
     const PrimitiveId id = claim.answer.primitive;
     const float depth = claim.answer.camera_depth;
     if (id == PrimitiveId::none) return depth == background_depth;
-    if (std::size_t(id) >= scene_->triangles.size() || !(depth >= 0)) return false;
+    if (std::size_t(id) >= scene_->triangles.size() || std::isnan(depth)) return false;
+    if (depth < 0 && view_.camera.near_depth >= 0) return false;
     const CornersWorld p_world = corners_of(*scene_, std::uint32_t(id));
     const Neighbour seen = neighbour_of(ViewRay<double>(view_, claim.x, claim.y), bounds_, p_world);
     if (seen.image && !comes_within(*seen.image, seen.bounds.eps_px + searched_px)) return false;
     const TriangleDepth triangle(TriangleInView(view_, shown_bounds_, p_world), shown_bounds_);
     return check_depth(view_, shown_bounds_, p_world, triangle, {claim.x, claim.y}, depth).is_admissible;
+}
+
+ReportedDepth OtherWorld::depth_of(const Claim& claim) const {
+    const CornersWorld p_world = corners_of(*scene_, std::uint32_t(claim.answer.primitive));
+    const TriangleDepth triangle(TriangleInView(view_, shown_bounds_, p_world), shown_bounds_);
+    const DepthBound bound = triangle.at(claim.x, claim.y);
+    return {bound.low, bound.high};
 }
 
 bool OtherWorld::might_be_shown_in(const Frame& frame) const {
@@ -108,22 +117,27 @@ std::shared_ptr<const Scene> declared_scene(const DiagnosisInput& input) {
 }
 
 Hypothesis decided_by(const DiagnosisInput& input, std::string name, std::string description,
-                      std::function<bool(const Claim&)> admits) {
+                      std::function<bool(const Claim&)> admits,
+                      std::function<ReportedDepth(const Claim&)> depth_of) {
     Hypothesis h = as_declared(input, std::move(name), std::move(description));
     h.restate = [admits = std::move(admits)](const Claim& claim) -> std::optional<Claim> {
         if (!admits(claim)) return std::nullopt;
         return Claim{claim.x, claim.y, {PrimitiveId::none, background_depth}};
     };
     h.amend = [](Neighbourhood& around, PrimitiveId) { around.neighbours.clear(); };
+    h.decided_depth = std::move(depth_of);
     return h;
 }
 
 Hypothesis shown_instead(const DiagnosisInput& input, std::string name, std::string description,
                          std::shared_ptr<const Scene> scene, const View& view) {
     const auto world = std::make_shared<OtherWorld>(std::move(scene), view, input.candidate.precision);
-    return decided_by(input, std::move(name), std::move(description),
-                      [world, is_possible = world->might_be_shown_in(input.candidate.frame)](
-                          const Claim& claim) { return is_possible && world->admits(claim); });
+    return decided_by(
+        input, std::move(name), std::move(description),
+        [world, is_possible = world->might_be_shown_in(input.candidate.frame)](const Claim& claim) {
+            return is_possible && world->admits(claim);
+        },
+        [world](const Claim& claim) { return world->depth_of(claim); });
 }
 
 }  // namespace zproof

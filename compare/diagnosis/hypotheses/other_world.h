@@ -27,6 +27,8 @@ class OtherWorld {
     bool might_be_shown_in(const Frame& frame) const;
     /// All triangles whose image comes within reach_px (at most 1) of the pixel's centre.
     Neighbourhood around(const Claim& claim, double reach_px);
+    /// The depths that the claimed triangle may have at the claim's pixel.
+    ReportedDepth depth_of(const Claim& claim) const;
     const ViewBounds& bounds() const { return bounds_; }
     const Scene& scene() const { return *scene_; }
 
@@ -46,9 +48,10 @@ class OtherWorld {
 std::shared_ptr<const Scene> declared_scene(const DiagnosisInput& input);
 
 /// The hypothesis that what `admits` says of a claim is right. A claim that is admitted goes on as
-/// background before nothing, to which the judge has no objection.
+/// background before nothing, to which the judge has no objection; `depth_of` says which depths it may have.
 Hypothesis decided_by(const DiagnosisInput& input, std::string name, std::string description,
-                      std::function<bool(const Claim&)> admits);
+                      std::function<bool(const Claim&)> admits,
+                      std::function<ReportedDepth(const Claim&)> depth_of);
 
 /// The hypothesis that the frame shows that scene in that view.
 Hypothesis shown_instead(const DiagnosisInput& input, std::string name, std::string description,

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <tuple>
 
 #include "compare/diagnosis/hypotheses/catalogue.h"
 
@@ -39,6 +41,57 @@ Hypothesis blank(const DiagnosisInput& input, const std::string& name, const std
         if (is_missing.at(around.x / cell.width, around.y / cell.height)) around.neighbours.clear();
     };
     return h;
+}
+
+/// A side of the picture, from which on rows or columns are missing.
+enum class Side { top, bottom, left, right };
+
+/// The strip of so many rows or columns along a side.
+Rectangle strip_along(Side side, Resolution size, int count) {
+    switch (side) {
+        case Side::top:
+            return {0, 0, size.width, count};
+        case Side::bottom:
+            return {0, size.height - count, size.width, size.height};
+        case Side::left:
+            return {0, 0, count, size.height};
+        default:
+            return {size.width - count, 0, size.width, size.height};
+    }
+}
+
+/// The most rows or columns along a side that the candidate left blank and the reference did not; 0 where the
+/// reference leaves the same blank, or all is blank.
+int blank_along(const DiagnosisInput& input, Side side) {
+    const Resolution size = input.candidate.frame.size();
+    const bool is_of_rows = side == Side::top || side == Side::bottom;
+    const int most = is_of_rows ? size.height : size.width;
+    int count = 0;
+    while (count < most && is_blank(input.candidate.frame, strip_along(side, size, count + 1))) ++count;
+    const bool is_right = is_blank(input.reference.frame, strip_along(side, size, count));
+    return count == most || is_right ? 0 : count;
+}
+
+std::vector<Hypothesis> blank_sides(const DiagnosisInput& input) {
+    const Resolution size = input.candidate.frame.size();
+    std::vector<Hypothesis> all;
+    for (const auto& [side, name, most] : {std::tuple{Side::bottom, "the last rows are missing", size.height},
+                                           {Side::right, "the last columns are missing", size.width},
+                                           {Side::top, "the first rows are missing", size.height},
+                                           {Side::left, "the first columns are missing", size.width}}) {
+        const int count = blank_along(input, side);
+        if (count == 0) continue;
+        Hypothesis h = as_declared(
+            input, name, "Nothing is drawn there: " + std::to_string(count) + " of them are background.");
+        h.learned_bits = std::log2(double(most));
+        h.fits_a_limit = true;
+        h.amend = [strip = strip_along(side, size, count)](Neighbourhood& around, PrimitiveId) {
+            if (around.x >= strip.x0 && around.x < strip.x1 && around.y >= strip.y0 && around.y < strip.y1)
+                around.neighbours.clear();
+        };
+        all.push_back(h);
+    }
+    return all;
 }
 
 struct Step {
@@ -86,12 +139,19 @@ std::vector<Hypothesis> moved_tiles(const DiagnosisInput& input) {
 
 }  // namespace
 
+std::vector<Hypothesis> hypotheses_of_blank_frames(const DiagnosisInput& input) {
+    Hypothesis h =
+        blank(input, "nothing was drawn", "The whole frame is background.", input.candidate.frame.size());
+    h.supposes_no_rule = true;
+    return {h};
+}
+
 std::vector<Hypothesis> hypotheses_of_parts(const DiagnosisInput& input) {
     const Resolution size = input.candidate.frame.size();
     std::vector<Hypothesis> all{
-        blank(input, "nothing was drawn", "The whole frame is background.", size),
         blank(input, "rows are missing", "Whole rows are background.", {size.width, 1}),
         blank(input, "columns are missing", "Whole columns are background.", {1, size.height})};
+    for (Hypothesis& h : blank_sides(input)) all.push_back(std::move(h));
     for (const int side : tile_sides)
         if (side < std::max(size.width, size.height))  // else there is one tile, and it is the picture
             all.push_back(blank(input, "tiles of " + std::to_string(side) + " px are missing",

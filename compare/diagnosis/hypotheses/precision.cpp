@@ -17,6 +17,7 @@ Hypothesis as_precise_as(const DiagnosisInput& input, const std::string& name, c
                          const RasterPrecision& precision) {
     Hypothesis h = as_declared(input, name, description);
     h.precision = precision;
+    h.only_permits = true;
     return h;
 }
 
@@ -27,6 +28,7 @@ Hypothesis truncating(const DiagnosisInput& input, const RasterPrecision& declar
                                "Vertices go to the next grid point " + how + " instead of the nearest.");
     const double half_step = std::ldexp(0.5, -declared.subpixel_bits);
     h.moves_triangles = true;
+    h.only_permits = true;
     h.view = shifted_view(input.view, glm::dvec2(direction * half_step));
     return h;
 }
@@ -160,7 +162,8 @@ Hypothesis stored_in(const DiagnosisInput& input, int bits) {
             n.least_inverse_depth -= step, n.greatest_inverse_depth += step;
     };
     const Camera c = input.view.camera;
-    if (bits > few_bits) return h;
+    h.only_permits = bits > few_bits;
+    if (h.only_permits) return h;
     if (c.projection == Projection::parallel) {
         tells_equal_steps_only(h, input, format.step);
         return h;

@@ -45,7 +45,7 @@ Hypothesis background_with_depth(const DiagnosisInput& input) {
                                "Where nothing is seen, the id says so and the depth is not +infinity.");
     h.cell = single_pixel;
     h.restate = [](Claim claim) -> std::optional<Claim> {
-        if (!is_background(claim)) return std::nullopt;
+        if (!is_background(claim) || claim.answer.camera_depth == background_depth) return std::nullopt;
         claim.answer.camera_depth = background_depth;
         return claim;
     };
@@ -57,7 +57,7 @@ Hypothesis background_with_id(const DiagnosisInput& input) {
                                "Where nothing is seen, the depth is +infinity and the id is not 0xFFFFFFFF.");
     h.cell = single_pixel;
     h.restate = [](Claim claim) -> std::optional<Claim> {
-        if (claim.answer.camera_depth != background_depth) return std::nullopt;
+        if (is_background(claim) || claim.answer.camera_depth != background_depth) return std::nullopt;
         claim.answer.primitive = PrimitiveId::none;
         return claim;
     };

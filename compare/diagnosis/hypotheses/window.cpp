@@ -39,6 +39,15 @@ std::vector<Hypothesis> of_windows(const DiagnosisInput& input) {
         window("the window is twice as wide", "The width is taken for its half.", 2 * wide, high),
         window("the window is half as high", "The height is taken for half of itself.", wide, high / 2),
         window("the window is twice as high", "The height is taken for its half.", wide, 2 * high)};
+    const double width = input.view.width, height = input.view.height;
+    if (wide * height != high * width) {
+        all.push_back(window("pixels are taken for square: the width follows the height",
+                             "The window is as wide as square pixels of its height are.",
+                             high * width / height, high));
+        all.push_back(window("pixels are taken for square: the height follows the width",
+                             "The window is as high as square pixels of its width are.", wide,
+                             wide * height / width));
+    }
     if (wide == high) return all;
     all.push_back(window("the window's width and height are exchanged",
                          "The picture is as wide as it should be high.", high, wide));
@@ -75,6 +84,12 @@ std::vector<Hypothesis> of_offsets(const DiagnosisInput& input) {
     if (length(offset) > 0) {
         all.push_back(seen_in(input, "the window's offset is ignored",
                               "The window stands about the view axis.", with_offset(glm::dvec2(0))));
+        if (offset.x != 0 && offset.y != 0) {
+            all.push_back(seen_in(input, "the window's offset is ignored in x",
+                                  "The window stands about the view axis in x.", with_offset({0, offset.y})));
+            all.push_back(seen_in(input, "the window's offset is ignored in y",
+                                  "The window stands about the view axis in y.", with_offset({offset.x, 0})));
+        }
         for (const glm::dvec2& sign : {glm::dvec2(-1, -1), glm::dvec2(-1, 1), glm::dvec2(1, -1)})
             if (sign * offset != offset)
                 all.push_back(seen_in(input, "the window's offset has the wrong sign",
@@ -85,6 +100,12 @@ std::vector<Hypothesis> of_offsets(const DiagnosisInput& input) {
     if (length(shear) > 0) {
         all.push_back(seen_in(input, "the shear is ignored", "The view ray is the view axis.",
                               with_shear(glm::dvec2(0))));
+        if (shear.x != 0 && shear.y != 0) {
+            all.push_back(seen_in(input, "the shear is ignored in x", "The view ray leans up or down alone.",
+                                  with_shear({0, shear.y})));
+            all.push_back(seen_in(input, "the shear is ignored in y", "The view ray leans aside alone.",
+                                  with_shear({shear.x, 0})));
+        }
         for (const glm::dvec2& sign : {glm::dvec2(-1, -1), glm::dvec2(-1, 1), glm::dvec2(1, -1)})
             if (sign * shear != shear)
                 all.push_back(seen_in(input, "the shear has the wrong sign",

@@ -1,0 +1,36 @@
+/// The length of a description of a frame: how a hypothesis is scored (docs/diagnosis.md, "The score").
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include "compare/diagnosis/hypothesis.h"
+
+namespace zproof {
+
+/// log2 of the ways to choose some of many: what it takes to tell which they are.
+inline double bits_of_choice(double some, double all) {
+    if (some <= 0 || some >= all) return 0;
+    const double share = some / all;
+    return -all * (share * std::log2(share) + (1 - share) * std::log2(1 - share));
+}
+
+/// What is told of a frame of that size, by one of so many hypotheses.
+class Description {
+  public:
+    Description(const Scene& scene, Resolution size, std::size_t hypotheses)
+        : bits_of_answer_(bits_of_an_id(scene) + 32),
+          pixels_(double(size.pixel_count())),
+          bits_of_name_(std::log2(double(hypotheses))) {}
+
+    /// Of pixels whose answers nothing predicts: which they are, and what they say.
+    double of_exceptions(double count) const {
+        return bits_of_choice(count, pixels_) + count * bits_of_answer_;
+    }
+    double of_name() const { return bits_of_name_; }
+
+  private:
+    double bits_of_answer_, pixels_, bits_of_name_;
+};
+
+}  // namespace zproof
