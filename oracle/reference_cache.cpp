@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
+#include <fstream>
 #include <system_error>
 #include <vector>
 
@@ -52,17 +52,21 @@ std::string header_of(const std::string& key, Resolution size, const std::string
            std::to_string(size.height) + "\n" + sum + "\n";
 }
 
-/// The frame in these bytes; nothing where they are not what was kept under this key.
-std::optional<Frame> frame_in(std::string_view bytes, const std::string& key, Resolution size) {
-    const std::size_t header_bytes = header_of(key, size, std::string(sum_digits, '0')).size();
-    const std::size_t plane_bytes = size.pixel_count() * 4;
-    if (bytes.size() != header_bytes + 2 * plane_bytes) return std::nullopt;
-    const std::string_view ids = bytes.substr(header_bytes, plane_bytes),
-                           depths = bytes.substr(header_bytes + plane_bytes);
-    if (bytes.substr(0, header_bytes) != header_of(key, size, sum_of(key, ids, depths))) return std::nullopt;
+bool read_into(std::ifstream& in, void* at, std::size_t bytes) {
+    in.read(static_cast<char*>(at), std::streamsize(bytes));
+    return std::size_t(in.gcount()) == bytes;
+}
+
+/// The frame in this file; nothing where it is not what was kept under this key.
+std::optional<Frame> frame_in(std::ifstream& in, const std::string& key, Resolution size) {
+    std::string header(header_of(key, size, std::string(sum_digits, '0')).size(), '\0');
     Frame frame = Frame::unwritten(size);
-    std::memcpy(frame.primitive.pixels().data(), ids.data(), plane_bytes);
-    std::memcpy(frame.camera_depth.pixels().data(), depths.data(), plane_bytes);
+    const std::string_view ids = bytes_of(frame.primitive), depths = bytes_of(frame.camera_depth);
+    const bool is_whole = read_into(in, header.data(), header.size()) &&
+                          read_into(in, frame.primitive.pixels().data(), ids.size()) &&
+                          read_into(in, frame.camera_depth.pixels().data(), depths.size()) &&
+                          in.peek() == std::ifstream::traits_type::eof();
+    if (!is_whole || header != header_of(key, size, sum_of(key, ids, depths))) return std::nullopt;
     return frame;
 }
 
@@ -112,9 +116,9 @@ fs::path ReferenceCache::file_of(const std::string& key) const {
 
 std::optional<Frame> ReferenceCache::find(const std::string& key, Resolution size) const {
     const fs::path file = file_of(key);
-    const std::string bytes = content_of(file);
-    if (bytes.empty()) return std::nullopt;
-    std::optional<Frame> frame = frame_in(bytes, key, size);
+    std::ifstream in{file, std::ios::binary};
+    if (!in) return std::nullopt;
+    std::optional<Frame> frame = frame_in(in, key, size);
     std::error_code ignored;
     if (frame)
         fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
