@@ -6,13 +6,13 @@
 #include "cli/folder_names.h"
 #include "cli/outcome_code.h"
 #include "cli/plan/missing_shards.h"
-#include "cli/plan/plan.h"
 #include "cli/published.h"
 #include "cli/report_files.h"
 #include "cli/threads.h"
 #include "frame/printable.h"
 #include "reports/merge.h"
 #include "reports/output_folder.h"
+#include "reports/plan.h"
 
 namespace zproof {
 namespace {

@@ -6,13 +6,13 @@
 #include "cli/commands.h"
 #include "cli/plan/assignment.h"
 #include "cli/plan/expected_seconds.h"
-#include "cli/plan/plan.h"
 #include "cli/plan/shard_commands.h"
 #include "cli/report_files.h"
 #include "cli/samples.h"
 #include "cli/selected_scenes.h"
 #include "cli/version.h"
 #include "frame/whole_file.h"
+#include "reports/plan.h"
 #include "scenes/scene_error.h"
 
 namespace zproof {

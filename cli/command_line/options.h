@@ -18,7 +18,8 @@ inline constexpr const char* scene_words =
 /// As many as a command line may ask for.
 inline constexpr std::uint64_t most_random_scenes = 100'000;
 
-/// Binds a word from a fixed list, which must outlive the app; the help shows the list, an unknown word is a usage error.
+/// Binds a word from a fixed list, which must outlive the app; the help shows the list, an unknown word is a
+/// usage error.
 template <class T>
 CLI::Option* add_choice(CLI::App& app, const std::string& option, T& value,
                         const std::map<std::string, T>& choices) {

@@ -3,14 +3,14 @@
 
 #include <vector>
 
-#include "cli/plan/plan.h"
+#include "reports/plan.h"
 
 namespace zproof {
 
 /// Gives every view of every run its shard: longest first, each to the shard that would end it earliest
-/// (Graham, "Bounds on Multiprocessing Timing Anomalies", 1969). Each shard that has a view of a scene sets it
-/// up, once. So a scene's views are kept together in pieces; of several lengths of pieces, from whole scenes
-/// down to single views, the one is taken by which all shards end earliest. The same seconds give the same
+/// (Graham, "Bounds on Multiprocessing Timing Anomalies", 1969). Each shard that has a view of a scene sets
+/// it up, once. So a scene's views are kept together in pieces; of several lengths of pieces, from whole
+/// scenes down to single views, the one is taken by which all shards end earliest. The same seconds: the same
 /// plan.
 void assign(Plan& plan);
 

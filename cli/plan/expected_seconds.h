@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/plan/plan.h"
+#include "reports/plan.h"
 #include "reports/results.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"

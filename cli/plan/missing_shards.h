@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/arguments.h"
-#include "cli/plan/plan.h"
+#include "reports/plan.h"
 
 namespace zproof {
 

@@ -12,10 +12,10 @@
 #include "cli/judgement.h"
 #include "cli/outcome_code.h"
 #include "cli/plan/missing_shards.h"
-#include "cli/plan/plan.h"
 #include "cli/selected_scenes.h"
 #include "cli/usage_error.h"
 #include "cli/version.h"
+#include "reports/plan.h"
 #include "reports/report_error.h"
 #include "scenes/scene_error.h"
 

@@ -1,7 +1,5 @@
 #include "cli/plan/shard_commands.h"
 
-#include <nlohmann/json.hpp>
-
 #include "cli/arguments.h"
 #include "cli/plan/missing_shards.h"
 
@@ -32,9 +30,10 @@ std::string slurm_script(const Plan& plan, const fs::path& file) {
 
 /// For strategy.matrix: ${{ fromJSON(...) }}.
 std::string github_matrix(const Plan& plan) {
-    nlohmann::ordered_json numbers = nlohmann::ordered_json::array();
-    for (int number = 1; number <= plan.shards; ++number) numbers.push_back(number);
-    return nlohmann::ordered_json{{"shard", numbers}}.dump() + "\n";
+    std::string numbers;
+    for (int number = 1; number <= plan.shards; ++number)
+        numbers += (number == 1 ? "" : ",") + std::to_string(number);
+    return "{\"shard\":[" + numbers + "]}\n";
 }
 
 std::string gitlab_job(const Plan& plan, const fs::path& file) {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/plan/arguments.h"
-#include "cli/plan/plan.h"
+#include "reports/plan.h"
 
 namespace zproof {
 

@@ -26,8 +26,9 @@ struct HypothesisTest {
     const Hypothesis* hypothesis = nullptr;
     std::size_t place = 0;  ///< in the order of all hypotheses
     Explanation outcome;
-    double saved_bits = 0;      ///< by which the frame is told shorter
-    std::uint64_t defects = 0;  ///< all that there are to explain
+    double saved_bits = 0;       ///< by which the frame is told shorter
+    std::uint64_t defects = 0;   ///< all that there are to explain
+    bool speaks_of_all = false;  ///< Does it suppose the same of every pixel, and not of some parts?
 
     /// Does it say what must be wrong? What merely permits a defect leaves open why it is there.
     bool makes_what_it_explains() const {
@@ -41,10 +42,16 @@ struct HypothesisTest {
     bool is_not_refuted() const {
         return double(outcome.contradicted) <= slips(outcome.checked) && makes_what_it_explains();
     }
+    std::uint64_t left() const { return outcome.asked - outcome.explained; }
     /// One wrong pixel proves nothing, neither for a rule nor against it.
     bool leaves_nothing() const {
-        const std::uint64_t left = outcome.asked - outcome.explained;
-        return double(left) <= slips(outcome.asked) || (left == 1 && outcome.asked == defects);
+        return double(left()) <= slips(outcome.asked) || (left() == 1 && outcome.asked == defects);
+    }
+    /// Where a rule holds for the whole frame, other things may be wrong with it as well: here so few that no
+    /// further cause is asked of them.
+    bool leaves_little() const {
+        return speaks_of_all && !hypothesis->only_permits &&
+               double(left()) <= least_part * double(outcome.asked);
     }
     /// Is it the whole cause, as far as was asked, and not only the least of several that would permit it?
     bool suffices() const {
@@ -91,7 +98,8 @@ class Diagnoser {
             if (!cause.suffices() && cause.saved_bits < least_part * all_bits) return diagnosis;
             saved_bits += cause.saved_bits;
             causes.push_back(cause.outcome);
-            defect_set_.keep(cause.leaves_nothing() ? std::vector<Claim>() : left_by(*cause.hypothesis));
+            const bool is_the_last = cause.leaves_nothing() || cause.leaves_little();
+            defect_set_.keep(is_the_last ? std::vector<Claim>() : left_by(*cause.hypothesis));
             if (causes.size() == most_causes) break;
         }
         if (defect_set_.defect_count() == 0 && saved_bits >= least_saved_share * all_bits)
@@ -258,6 +266,7 @@ class Diagnoser {
         const Hypothesis& h = *test.hypothesis;
         Explanation& e = test.outcome;
         test.defects = defect_set_.defect_count();
+        test.speaks_of_all = h.cell == input_.candidate.frame.size();
         e.explained = defects.admissible();
         e.asked = defects.checks.size();
         e.contradicted = agreeing.checks.size() - agreeing.admissible();

@@ -8,7 +8,7 @@
 
 #include "cli/plan/assignment.h"
 #include "cli/plan/expected_seconds.h"
-#include "cli/plan/plan.h"
+#include "reports/plan.h"
 #include "reports/report_error.h"
 #include "tests/cli/program.h"
 #include "tests/cli/same_run.h"

@@ -1,4 +1,4 @@
-#include "cli/plan/plan.h"
+#include "reports/plan.h"
 
 #include <algorithm>
 #include <cmath>
