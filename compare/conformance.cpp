@@ -149,10 +149,16 @@ std::string name_of(FilterRule rule) {
     return "another rule";
 }
 
-double slack_of(const LinearRgb& colour, const PermittedColours& permitted) {
+const ColourRange& nearest_range(const LinearRgb& colour, const PermittedColours& permitted) {
+    const ColourRange* nearest = &permitted.front();
     double least = inf;
-    for (const ColourRange& range : permitted) least = std::min(least, slack_in(colour, range));
-    return least;
+    for (const ColourRange& range : permitted)
+        if (const double slack = slack_in(colour, range); slack < least) least = slack, nearest = &range;
+    return *nearest;
+}
+
+double slack_of(const LinearRgb& colour, const PermittedColours& permitted) {
+    return slack_in(colour, nearest_range(colour, permitted));
 }
 
 Conformance conformance(const Picture& picture, const PixelReference& reference,
@@ -179,7 +185,7 @@ Conformance conformance(const Picture& picture, const PixelReference& reference,
             if (slack > found.worst_slack) found.worst_slack = slack, found.worst = {x, y};
             if (!(slack > 1)) continue;
             ++found.outside;
-            if (!found.where) found.where = Extent{{x, y}, {x, y}};
+            if (!found.where) found.where = ExtentOutside{{x, y}, {x, y}};
             found.where->first.x = std::min(found.where->first.x, x);
             found.where->last.x = std::max(found.where->last.x, x);
             found.where->last.y = y;

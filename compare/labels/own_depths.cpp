@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "compare/bounds/pixel_coord.h"
 #include "compare/bounds/triangle_depth.h"
 
 namespace zproof {
