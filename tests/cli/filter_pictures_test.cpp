@@ -102,10 +102,9 @@ TEST_F(FilterPictures, HaveNamesOfTheirOwnAndAFileForEachView) {
 
 /// What the planes hold is read by tests/viewer/filters_test.mjs.
 TEST_F(FilterPictures, ShowWhatTheMethodPermitsThatTheyClaimToBe) {
-    const Ran ran =
-        run(folder_,
-            with(small, {"worked", "--view", "phi-0", "--evidence", "--picture", "theirs=" + theirs_,
-                         "--claim", "theirs=trilinear-gl:bias=0.5", "--precision", "gpu,lod_bits=6"}));
+    const Ran ran = run(
+        folder_, with(small, {"worked", "--view", "phi-0", "--evidence", "--picture", "theirs=" + theirs_,
+                              "--claim", "theirs=trilinear-gl:bias=0.5", "--precision", "gpu,lod_bits=6"}));
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     const std::string permitted = folder_.read("study/pictures/worked-phi-0/theirs-permitted.exr");
     for (const char* words : {"least.R", "greatest.B", "outside", "zproof:claim", "trilinear-gl:bias=0.5",
