@@ -111,6 +111,11 @@ RuleRelaxation ask(const RelaxationQuery& q, FilterRule rule, double bits) {
 /// read.
 int fewest_bits(FilterRule rule) { return rule == FilterRule::weights ? 1 : -2; }
 
+/// Any mean of what is read keeps to weights of so few bits: also that of wrong texels, or by a wrong factor.
+bool promises_nothing(const RuleRelaxation& relaxation) {
+    return relaxation.rule == FilterRule::weights && relaxation.bits <= fewest_bits(FilterRule::weights);
+}
+
 /// The most bits that explain all of the pixels, or the fewest tried.
 RuleRelaxation least_relaxation(const RelaxationQuery& q, FilterRule rule) {
     constexpr int most = 24;
@@ -225,6 +230,7 @@ std::optional<RuleRelaxation> rule_told(const std::vector<RuleRelaxation>& rules
         if (place) return {};
         place = rule;
     }
+    if (told && promises_nothing(*told)) return {};
     return told ? told : any_error;
 }
 

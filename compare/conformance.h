@@ -79,6 +79,7 @@ std::vector<RuleRelaxation> rules_at_fault(const Picture& picture, const Conform
 
 /// The rule that explains every wrong pixel asked about, where no other one does however far it gives way;
 /// nothing where several do. Texels and sums, which bound any error, count only where no other rule does.
+/// Weights are not told where nothing less than any mean of what is read explains the pixels.
 std::optional<RuleRelaxation> rule_told(const std::vector<RuleRelaxation>& rules);
 
 }  // namespace zproof
