@@ -40,12 +40,20 @@ Picture drawn(const PictureChoice& choice, const Scene& scene, const View& view)
     throw study::RendererFailure{e.what()};
 }
 
+/// "; claims to be of trilinear-gl, promising gpu"; nothing without a claim.
+std::string claim_in_words(const std::optional<PictureClaim>& claim) {
+    if (!claim) return "";
+    return "; claims to be of " + claim->method.typed +
+           (claim->promise.empty() ? "" : ", promising " + claim->promise);
+}
+
 texture::DefinitionCard card_of(const PictureChoice& choice) {
     const std::string unknown = "not known: a picture of another renderer.";
     return {.footprint = unknown,
             .lod = unknown,
             .taps = unknown,
-            .source = (choice.is_program() ? "written by: " : "read from: ") + choice.word};
+            .source = (choice.is_program() ? "written by: " : "read from: ") + choice.word +
+                      claim_in_words(choice.claim)};
 }
 
 }  // namespace

@@ -110,6 +110,10 @@ TEST_F(FilterPictures, ShowWhatTheMethodPermitsThatTheyClaimToBe) {
     for (const char* words : {"least.R", "greatest.B", "outside", "zproof:claim", "trilinear-gl:bias=0.5",
                               "zproof:promise", "gpu,lod_bits=6"})
         EXPECT_NE(permitted.find(words), std::string::npos) << words;
+    const study::StudyResults results = filters_from_json(folder_.read("study/filters.json"));
+    EXPECT_EQ(results.methods.at(2).source, "read from: " + theirs_ +
+                                                "; claims to be of trilinear-gl:bias=0.5, promising "
+                                                "gpu,lod_bits=6");
     EXPECT_FALSE(
         std::filesystem::exists(folder_.path() / "study/pictures/worked-phi-0/nearest-permitted.exr"));
 }

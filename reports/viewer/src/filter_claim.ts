@@ -14,13 +14,13 @@ export function claimPlanesOf(label: string): string[] {
     return ['least', 'greatest'].flatMap((end) => channelNames.map((c) => `claim.${label}.${end}.${c}`));
 }
 
-/// How far a value lies outside: below 0 under the least, above 0 over the greatest; NaN for no number.
+/// How far a value lies outside: below 0 under the least, above 0 over the greatest; NaN for no finite number.
 function beyond(value: number, least: number, greatest: number): number {
     if (!Number.isFinite(value) || least > greatest) return NaN;
     return value < least ? value - least : Math.max(0, value - greatest);
 }
 
-/// |beyond| of the worst channel, in linear light; infinite for no number.
+/// |beyond| of the worst channel, in linear light; infinite for no finite number.
 export function distanceOutside(found: Channels, permitted: Permitted, pixel: number): number {
     const of = (c: number) => Math.abs(beyond(found[c][pixel], permitted.least[c][pixel], permitted.greatest[c][pixel]));
     return Math.max(...[0, 1, 2].map((c) => Number.isNaN(of(c)) ? Infinity : of(c)));
@@ -28,7 +28,7 @@ export function distanceOutside(found: Channels, permitted: Permitted, pixel: nu
 
 function side(value: number, least: number, greatest: number): {text: string; isInside: boolean} {
     const off = beyond(value, least, greatest);
-    if (Number.isNaN(off)) return {text: least > greatest ? 'no float32 is permitted' : 'not a number', isInside: false};
+    if (Number.isNaN(off)) return {text: least > greatest ? 'no float32 is permitted' : 'no finite number', isInside: false};
     if (off === 0) return {text: 'inside', isInside: true};
     const floats = Math.abs(rankBetween(value, off < 0 ? least : greatest));
     const steps = Number((Math.abs(off) * 255).toPrecision(2));
