@@ -111,6 +111,11 @@ RuleRelaxation ask(const RelaxationQuery& q, FilterRule rule, double bits) {
 /// read.
 int fewest_bits(FilterRule rule) { return rule == FilterRule::weights ? 1 : -2; }
 
+/// Any mean of what is read keeps to weights of so few bits: also that of wrong texels, or by a wrong factor.
+bool promises_nothing(const RuleRelaxation& relaxation) {
+    return relaxation.rule == FilterRule::weights && relaxation.bits <= fewest_bits(FilterRule::weights);
+}
+
 /// The most bits that explain all of the pixels, or the fewest tried.
 RuleRelaxation least_relaxation(const RelaxationQuery& q, FilterRule rule) {
     constexpr int most = 24;
@@ -149,10 +154,16 @@ std::string name_of(FilterRule rule) {
     return "another rule";
 }
 
-double slack_of(const LinearRgb& colour, const PermittedColours& permitted) {
+const ColourRange& nearest_range(const LinearRgb& colour, const PermittedColours& permitted) {
+    const ColourRange* nearest = &permitted.front();
     double least = inf;
-    for (const ColourRange& range : permitted) least = std::min(least, slack_in(colour, range));
-    return least;
+    for (const ColourRange& range : permitted)
+        if (const double slack = slack_in(colour, range); slack < least) least = slack, nearest = &range;
+    return *nearest;
+}
+
+double slack_of(const LinearRgb& colour, const PermittedColours& permitted) {
+    return slack_in(colour, nearest_range(colour, permitted));
 }
 
 Conformance conformance(const Picture& picture, const PixelReference& reference,
@@ -179,7 +190,7 @@ Conformance conformance(const Picture& picture, const PixelReference& reference,
             if (slack > found.worst_slack) found.worst_slack = slack, found.worst = {x, y};
             if (!(slack > 1)) continue;
             ++found.outside;
-            if (!found.where) found.where = Extent{{x, y}, {x, y}};
+            if (!found.where) found.where = ExtentOutside{{x, y}, {x, y}};
             found.where->first.x = std::min(found.where->first.x, x);
             found.where->last.x = std::max(found.where->last.x, x);
             found.where->last.y = y;
@@ -219,6 +230,7 @@ std::optional<RuleRelaxation> rule_told(const std::vector<RuleRelaxation>& rules
         if (place) return {};
         place = rule;
     }
+    if (told && promises_nothing(*told)) return {};
     return told ? told : any_error;
 }
 

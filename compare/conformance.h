@@ -45,7 +45,7 @@ struct FilterPixel {
 };
 
 /// The box of pixels that hold what is outside.
-struct Extent {
+struct ExtentOutside {
     FilterPixel first, last;
 };
 
@@ -57,9 +57,12 @@ struct Conformance {
         0;                  ///< factor by which the widest-missing range would have to be widened; <= 1: none
     double mean_width = 0;  ///< of what is permitted, averaged over channels; how sharp the question was
     FilterPixel worst;
-    std::optional<Extent> where;  ///< none where nothing is outside
-    Plane<float> slack;           ///< per pixel, for a picture
+    std::optional<ExtentOutside> where;  ///< none where nothing is outside
+    Plane<float> slack;                  ///< per pixel, for a picture
 };
+
+/// The permitted range that has to be widened least to hold the colour, the first of equals.
+const ColourRange& nearest_range(const LinearRgb& colour, const PermittedColours& permitted);
 
 /// How far the nearest permitted range would have to be widened about its middle to hold the colour: |v -
 /// middle| / half-width, the largest over the channels. Infinite where the colour is not finite.
@@ -76,6 +79,7 @@ std::vector<RuleRelaxation> rules_at_fault(const Picture& picture, const Conform
 
 /// The rule that explains every wrong pixel asked about, where no other one does however far it gives way;
 /// nothing where several do. Texels and sums, which bound any error, count only where no other rule does.
+/// Weights are not told where nothing less than any mean of what is read explains the pixels.
 std::optional<RuleRelaxation> rule_told(const std::vector<RuleRelaxation>& rules);
 
 }  // namespace zproof

@@ -105,6 +105,7 @@ struct FiltersWords {
     FiltersFigureArguments figure;
     FiltersCrowArguments crow;
     FiltersCheckArguments check;
+    ClaimWords claims;
     std::string check_methods, check_views, precision;
     FiltersExplainArguments explain;
     std::string explained_methods, explained_pixel, explained_truth = "N";

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "cli/commands.h"
+#include "cli/filters/claim.h"
 #include "cli/filters/joint_check.h"
 #include "cli/filters/scenes.h"
 #include "cli/interrupt.h"
@@ -21,14 +22,6 @@ using selftest::FilterClaim;
 using selftest::FilterFixture;
 
 constexpr std::chrono::minutes reading_limit{10};
-
-FilterClaim claim_of(const FilterChoice& choice, const FiltersCheckArguments& arguments) {
-    const rasterizer::Texturing& texturing = choice.texturing;
-    if (oracle::find_filter_definition(texturing.method.name) == nullptr)
-        throw UsageError{"filter '" + texturing.method.name + "': it has no reference to be held against"};
-    return {texturing.method.name, texturing.options, texturing.derivatives,
-            arguments.precision.value_or(selftest::filter_precision(texturing.options))};
-}
 
 /// "0 of 262144 pixels outside, slack 0.93"
 std::string found_in_words(const ConformanceResult& result) {
@@ -80,7 +73,7 @@ class FilterChecker {
                 fixture.scene.name + " / " + fixture.view.name + ": " + choice.typed + ": ";
             progress_.begin(name);
             const Picture picture = picture_of(fixture, choice, arguments_.picture);
-            const FilterClaim claim = claim_of(choice, arguments_);
+            const FilterClaim claim = claim_of(choice, arguments_.precision);
             const ConformanceResult result = selftest::conformance_of(picture, fixture, claim);
             const std::optional<JointConformance> joint = joint_of(picture, fixture, claim);
             const bool is_wrong = result.is_caught() || (joint && joint->leaves_promise());
@@ -126,7 +119,7 @@ class FilterChecker {
 }  // namespace
 
 ExitCode execute(const FiltersCheckArguments& arguments) {
-    for (const FilterChoice& choice : arguments.methods) claim_of(choice, arguments);
+    for (const FilterChoice& choice : arguments.methods) claim_of(choice, arguments.precision);
     const std::vector<StudyScene> sources = study_scenes(arguments.scenes);
     note_interrupts();
     FilterChecker checker{arguments, sources.size()};

@@ -43,6 +43,10 @@ void add_truth(CLI::App& app, std::string& letter) {
         ->capture_default_str();
 }
 
+void add_precision(CLI::App& app, std::string& words) {
+    app.add_option("--precision", words, "what the filter promises, as PRESET,key=value,key=value");
+}
+
 void add_run(CLI::App& app, FiltersWords& words) {
     app.add_option("SCENE", words.run.scenes,
                    "filter scene (zproof filters list), suite scene, model (.gltf, .glb, .obj, .ply) or view "
@@ -57,6 +61,13 @@ void add_run(CLI::App& app, FiltersWords& words) {
            "methods; in FILE, {scene} and {view} stand for their names; repeatable")
         ->take_all()
         ->allow_extra_args(false);
+    app.add_option(
+           "--claim", words.claims.claims,
+           "NAME=METHOD: the picture of that name is of this method of zproof's; the viewer shows what "
+           "the method permits; repeatable")
+        ->take_all()
+        ->allow_extra_args(false);
+    add_precision(app, words.claims.promise);
     add_truth(app, words.truth);
     app.add_option("--flicker", words.run.flicker_steps,
                    "further views, each a fraction of a pixel on; 0: none")
@@ -110,7 +121,7 @@ void add_check(CLI::App& app, FiltersWords& words) {
     app.add_option("--view", words.check_views,
                    "names of views, separated by commas; default: all of every scene");
     app.add_option("--picture", words.check.picture, "judge this picture (.exr) of one method and one view");
-    app.add_option("--precision", words.precision, "what the filter promises, as PRESET,key=value,key=value");
+    add_precision(app, words.precision);
     add_size(app, words.check.width, words.check.height);
     add_common(app, words.check.common);
     add_isa(app);
@@ -208,12 +219,16 @@ FiltersTableArguments chosen_table(FiltersWords& words) {
     return words.table;
 }
 
+std::optional<FilterPrecision> chosen_precision(const std::string& words) {
+    if (words.empty()) return {};
+    return filter_precision_from_words(words_of_list(words));
+}
+
 FiltersCheckArguments chosen_check(FiltersWords& words) {
     FiltersCheckArguments& check = words.check;
     check.methods = filter_choices(words.check_methods, filter_choice);
     check.views = words_of_list(words.check_views);
-    if (!words.precision.empty())
-        check.precision = filter_precision_from_words(words_of_list(words.precision));
+    check.precision = chosen_precision(words.precision);
     if (!check.picture.empty() && check.methods.size() != 1)
         throw UsageError{"--picture: one method is expected, and one view"};
     return check;
@@ -225,6 +240,9 @@ std::vector<PictureChoice> chosen_pictures(const FiltersWords& words) {
     std::vector<std::string> methods;
     for (const FilterChoice& method : words.run.methods) methods.push_back(method.typed);
     refuse_equal_names(pictures, methods);
+    ClaimWords claims = words.claims;
+    claims.precision = chosen_precision(claims.promise);
+    add_claims(pictures, claims);
     return pictures;
 }
 

@@ -18,6 +18,11 @@ Plane<float> plane_of(Resolution size, const Value& value) {
     return plane;
 }
 
+struct NamedFloats {
+    std::string name;
+    Plane<float> values;
+};
+
 struct PatchChannel {
     const char* name;
     double (*value)(const Patch&);
@@ -63,6 +68,27 @@ void EvidenceFiles::show(const std::string&, const Picture& picture) {
         const LinearRgb &c = picture.pixels()[i], &t = truth_.pixels()[i];
         error_.pixels()[i] = {c.r - t.r, c.g - t.g, c.b - t.b};
     }
+}
+
+void EvidenceFiles::claim(const ClaimedPicture& claimed) const {
+    const auto& [least, greatest] = claimed.permitted;
+    const Resolution size = least.size();
+    std::vector<NamedFloats> floats;
+    for (const auto& [bound, name] : {std::pair{&least, "least."}, std::pair{&greatest, "greatest."}})
+        for (const auto& [part, letter] :
+             {std::pair{&LinearRgb::r, "R"}, std::pair{&LinearRgb::g, "G"}, std::pair{&LinearRgb::b, "B"}})
+            floats.push_back({std::string{name} + letter,
+                              plane_of(size, [&](int x, int y) { return bound->at(x, y).*part; })});
+    floats.push_back({"outside", plane_of(size, [&](int x, int y) {
+                          return distance_outside(claimed.picture.at(x, y), least.at(x, y),
+                                                  greatest.at(x, y));
+                      })});
+    std::vector<NamedPlane> planes;
+    for (const NamedFloats& one : floats) planes.push_back({one.name, &one.values});
+    FileFacts facts = facts_;
+    facts.emplace_back("zproof:claim", claimed.method);
+    facts.emplace_back("zproof:promise", claimed.promise);
+    write_planes(folder_ / (file_stem(claimed.label) + "-permitted.exr"), planes, facts);
 }
 
 void EvidenceFiles::map(const std::string& label, const PictureMetric& metric, const Plane<double>& map) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "image_io/image_io.h"
+#include "reports/filters/evidence_planes.h"
 #include "study/filters/plan.h"
 
 namespace zproof {
@@ -22,6 +23,9 @@ class EvidenceFiles {
     /// METHOD-error.exr: R, G and B of picture less truth, and flip.
     void map(const std::string& label, const PictureMetric& metric, const Plane<double>& map);
     void show(const std::string& label, const Picture& picture);
+    /// NAME-permitted.exr: least.R to greatest.B, and outside: how far the worst channel lies outside, linear
+    /// light. The attributes "zproof:claim" and "zproof:promise" name the method and its promise.
+    void claim(const ClaimedPicture& claimed) const;
 
   private:
     std::filesystem::path folder_;

@@ -40,12 +40,20 @@ Picture drawn(const PictureChoice& choice, const Scene& scene, const View& view)
     throw study::RendererFailure{e.what()};
 }
 
+/// "; claims to be of trilinear-gl, promising gpu"; nothing without a claim.
+std::string claim_in_words(const std::optional<PictureClaim>& claim) {
+    if (!claim) return "";
+    return "; claims to be of " + claim->method.typed +
+           (claim->promise.empty() ? "" : ", promising " + claim->promise);
+}
+
 texture::DefinitionCard card_of(const PictureChoice& choice) {
     const std::string unknown = "not known: a picture of another renderer.";
     return {.footprint = unknown,
             .lod = unknown,
             .taps = unknown,
-            .source = (choice.is_program() ? "written by: " : "read from: ") + choice.word};
+            .source = (choice.is_program() ? "written by: " : "read from: ") + choice.word +
+                      claim_in_words(choice.claim)};
 }
 
 }  // namespace
@@ -63,11 +71,32 @@ PictureChoice picture_choice(const std::string& typed) {
     return choice;
 }
 
+void add_claims(std::vector<PictureChoice>& pictures, const ClaimWords& words) {
+    if (words.claims.empty() && words.precision)
+        throw UsageError{"--precision: expected together with --claim NAME=METHOD"};
+    for (const std::string& typed : words.claims) {
+        const std::size_t equals = typed.find('=');
+        const auto picture = std::ranges::find(pictures, typed.substr(0, equals), &PictureChoice::name);
+        if (equals == std::string::npos || picture == pictures.end())
+            throw UsageError{"--claim: expected NAME=METHOD with the name of a --picture, found '" + typed +
+                             "'"};
+        if (picture->claim) throw UsageError{"--claim: '" + picture->name + "' has a claim already"};
+        const FilterChoice method = filter_choice(typed.substr(equals + 1));
+        picture->claim = PictureClaim{method, words.promise, claim_of(method, words.precision)};
+    }
+}
+
+const PictureClaim* find_claim(const std::vector<PictureChoice>& pictures, const std::string& name) {
+    const auto picture = std::ranges::find(pictures, name, &PictureChoice::name);
+    return picture != pictures.end() && picture->claim ? &*picture->claim : nullptr;
+}
+
 void refuse_equal_names(const std::vector<PictureChoice>& pictures, const std::vector<std::string>& methods) {
     std::vector<std::string> taken{"truth", "surface"};
     for (const std::string& method : methods) taken.push_back(file_stem(method));
     for (const PictureChoice& picture : pictures) {
-        if (std::ranges::find(taken, picture.name) != taken.end() || picture.name.ends_with("-error"))
+        if (std::ranges::find(taken, picture.name) != taken.end() || picture.name.ends_with("-error") ||
+            picture.name.ends_with("-permitted"))
             throw UsageError{"--picture: the name '" + picture.name + "' is taken; choose another one"};
         taken.push_back(picture.name);
     }

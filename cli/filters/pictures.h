@@ -1,10 +1,13 @@
-/// Pictures of anybody's renderer in a study: NAME=FILE or NAME='program {scene} {camera} {out}'.
+/// Pictures of anybody's renderer in a study: NAME=FILE or NAME='program {scene} {camera} {out}', and what
+/// they claim to be.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/filters/claim.h"
 #include "study/filters/plan.h"
 
 namespace zproof {
@@ -14,12 +17,27 @@ struct PictureChoice {
     /// A file (.exr), in whose name {scene} and {view} stand for theirs; or with {out} in it, a command by
     /// the contract of docs/renderer-contract.md that writes a picture.
     std::string word;
+    std::optional<PictureClaim> claim{};  ///< none: it is held to the truth alone
 
     bool is_program() const { return word.find("{out}") != std::string::npos; }
 };
 
 /// Throws UsageError where it is not NAME=WORD, or the name is no file name.
 PictureChoice picture_choice(const std::string& typed);
+
+/// What pictures claim, as it is typed.
+struct ClaimWords {
+    std::vector<std::string> claims;           ///< NAME=METHOD each
+    std::string promise;                       ///< of all claims; empty: none was typed
+    std::optional<FilterPrecision> precision;  ///< that promise; none: that of zproof's own filters
+};
+
+/// Tells each claim to the picture of its name. Throws UsageError where there is no such picture, it has a
+/// claim already, or its method has no filter reference; and for a promise without a claim.
+void add_claims(std::vector<PictureChoice>& pictures, const ClaimWords& words);
+
+/// What the picture of that name claims; null where nothing of that name claims anything.
+const PictureClaim* find_claim(const std::vector<PictureChoice>& pictures, const std::string& name);
 
 /// Throws UsageError where two pictures, or a picture and another file of the study, would have one name.
 void refuse_equal_names(const std::vector<PictureChoice>& pictures, const std::vector<std::string>& methods);

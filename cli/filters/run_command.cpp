@@ -43,31 +43,34 @@ study::Plan plan_of(const FiltersRunArguments& arguments) {
 /// The study in the making, and the folder that its pictures go to.
 class FilterStudyRun {
   public:
-    FilterStudyRun(study::Plan plan, const fs::path& folder, WorkProgress& progress,
-                   study::StudyResults& results)
-        : plan_(std::move(plan)), folder_(folder), progress_(progress), results_(results) {}
+    FilterStudyRun(study::Plan plan, const FiltersRunArguments& arguments, const fs::path& folder,
+                   WorkProgress& progress, study::StudyResults& results)
+        : plan_(std::move(plan)),
+          arguments_(arguments),
+          folder_(folder),
+          progress_(progress),
+          results_(results) {}
 
     /// Methods on views, as far as the views are known.
     Share share() const { return {scored_, views_ * plan_.methods.size(), scenes_left_}; }
 
     void leave(const StudyScene&) { ++scenes_left_; }  ///< interrupted: not even loaded
 
-    void study_scene(const StudyScene& source, const FiltersRunArguments& arguments) {
+    void study_scene(const StudyScene& source) {
         const Resolution natural = natural_resolution(source);
         const Loaded loaded = load(
-            source, {arguments.width.value_or(natural.width), arguments.height.value_or(natural.height)});
-        const std::vector<View> views = chosen_views(loaded, arguments.views);
-        require_a_file_for_each(arguments.pictures, 1, views.size());
+            source, {arguments_.width.value_or(natural.width), arguments_.height.value_or(natural.height)});
+        const std::vector<View> views = chosen_views(loaded, arguments_.views);
+        require_a_file_for_each(arguments_.pictures, 1, views.size());
         const std::string name = unique_name(loaded.scene.name, source),
                           sha256 = sha256_of(glb_bytes(loaded.scene));
         progress_.expect_more(double(views.size() - 1) * study::work_of(plan_));
         views_ += views.size();
         for (const View& view : views) {
             if (interrupted()) return;
-            plan_.first_row = arguments.first_row.value_or(natural_first_row(source, view.height));
+            plan_.first_row = arguments_.first_row.value_or(natural_first_row(source, view.height));
             progress_.within(name + " / " + view.name + ": ");
-            study::ViewStudy one =
-                study_one({source.word, name, sha256, arguments.writes_evidence}, loaded.scene, view);
+            study::ViewStudy one = study_one({source.word, name, sha256}, loaded.scene, view);
             one.scene = name;
             one.scene_sha256 = sha256;
             one.reason = source.reason;
@@ -86,7 +89,6 @@ class FilterStudyRun {
     struct SceneFacts {
         std::string word, name;
         std::string sha256;  ///< of the .glb that zproof would write of it
-        bool writes_evidence;
     };
 
     study::ViewStudy study_one(const SceneFacts& facts, const Scene& scene, const View& view) {
@@ -97,7 +99,14 @@ class FilterStudyRun {
         fs::create_directories(folder_ / home);
         ViewEvidenceWriter evidence;
         std::optional<EvidenceFiles> files;
-        if (facts.writes_evidence) files.emplace(folder_ / home, provenance);
+        if (arguments_.writes_evidence) files.emplace(folder_ / home, provenance);
+        const auto tell_claim = [&](const PictureClaim& claim, const std::string& what,
+                                    const Picture& picture) {
+            const PermittedInterval permitted = permitted_by(claim.claim, picture, scene, view);
+            const ClaimedPicture claimed{what, claim.method.typed, claim.promise, picture, permitted};
+            evidence.claim(claimed);
+            if (files) files->claim(claimed);
+        };
         const study::ProgressSink progress_sink{
             .begins = [&](const std::string& what, double work) { progress_.begin(what, work); },
             .is_shown =
@@ -105,6 +114,8 @@ class FilterStudyRun {
                     write_picture(folder_ / home / (file_stem(what) + ".exr"), picture, provenance);
                     evidence.show(what, picture);
                     if (files && what != "truth") files->show(what, picture);
+                    if (const PictureClaim* claim = find_claim(arguments_.pictures, what))
+                        tell_claim(*claim, what, picture);
                 },
             .wants_to_stop = interrupted,
             .is_known =
@@ -118,13 +129,15 @@ class FilterStudyRun {
                     if (files) files->map(label, metric, map);
                 }};
         study::ViewStudy one = study::study_view(scene, view, plan_, progress_sink);
-        std::move(evidence).write(folder_ / home, {facts.word, facts.name, scene, view, plan_});
+        std::move(evidence).write(folder_ / home,
+                                  {facts.word, facts.name, scene, view, plan_, arguments_.pictures});
         one.truth_file = home + "truth.exr";
         for (study::MethodScore& method : one.methods) method.file = home + file_stem(method.label) + ".exr";
         return one;
     }
 
     study::Plan plan_;
+    const FiltersRunArguments& arguments_;
     fs::path folder_;
     WorkProgress& progress_;
     study::StudyResults& results_;
@@ -183,10 +196,10 @@ ExitCode execute(const FiltersRunArguments& arguments) {
     {
         WorkProgress progress{std::cerr, progress_of(arguments.common),
                               double(scenes.size()) * study::work_of(plan), Estimate::from_half_of_the_work};
-        FilterStudyRun study_run{plan, out.working(), progress, results};
+        FilterStudyRun study_run{plan, arguments, out.working(), progress, results};
         on_threads(arguments.common.threads, [&] {
             for (const StudyScene& scene : scenes)
-                interrupted() ? study_run.leave(scene) : study_run.study_scene(scene, arguments);
+                interrupted() ? study_run.leave(scene) : study_run.study_scene(scene);
         });
         share = study_run.share();
     }

@@ -3,16 +3,41 @@
 #include <algorithm>
 
 #include "cli/arguments.h"
+#include "cli/filters/configured.h"
 #include "oracle/admissible_surfaces.h"
 #include "reports/filters/inspection_json.h"
 #include "study/filters/inspection.h"
 #include "study/filters/study.h"
 
 namespace zproof {
-
 namespace {
 
-constexpr std::size_t most_inspections = 120;  ///< in a view
+constexpr std::size_t most_inspections = 120;  ///< in a view, without those of claimed methods
+
+/// The pixel farthest outside what is permitted; none where all are inside.
+std::vector<PixelCoord> farthest_outside(const ClaimedPicture& claimed) {
+    std::vector<PixelCoord> farthest;
+    double most = 0;
+    for (int y = 0; y < claimed.picture.size().height; ++y)
+        for (int x = 0; x < claimed.picture.size().width; ++x) {
+            const double distance =
+                distance_outside(claimed.picture.at(x, y), claimed.permitted.least.at(x, y),
+                                 claimed.permitted.greatest.at(x, y));
+            if (distance > most) most = distance, farthest = {{x, y}};
+        }
+    return farthest;
+}
+
+/// Adds what the method reads at pixels of which that is not told yet.
+void tell(std::vector<study::PixelInspection>& all, const study::Inspector& inspector,
+          const study::ConfiguredMethod& method, std::vector<PixelCoord> pixels) {
+    std::erase_if(pixels, [&](const PixelCoord& pixel) {
+        return std::ranges::any_of(all, [&](const study::PixelInspection& one) {
+            return one.label == method.label && one.x == pixel.x && one.y == pixel.y;
+        });
+    });
+    std::ranges::move(inspector.at(method, pixels), std::back_inserter(all));
+}
 
 }  // namespace
 
@@ -28,6 +53,12 @@ void ViewEvidenceWriter::show(const std::string& what, const Picture& picture) {
     worst_.push_back({what, study::worst_pixels(picture, truth_, regions_)});
 }
 
+void ViewEvidenceWriter::claim(const ClaimedPicture& claimed) {
+    if (!planes_) return;
+    planes_->add_claim(claimed);
+    std::ranges::copy(farthest_outside(claimed), std::back_inserter(worst_.back().by_region.front()));
+}
+
 void ViewEvidenceWriter::map(const std::string& label, const PictureMetric& metric,
                              const Plane<double>& map) {
     if (planes_ && metric.name == "flip") planes_->add_flip(label, map);
@@ -40,8 +71,9 @@ nlohmann::json ViewEvidenceWriter::inspections(const StudiedView& studied) const
     for (const study::ChosenPixels& chosen : study::chosen_pixels(worst_, most_inspections)) {
         const auto method =
             std::ranges::find(studied.plan.methods, chosen.label, &study::ConfiguredMethod::label);
-        if (method != studied.plan.methods.end())
-            std::ranges::move(inspector.at(*method, chosen.pixels), std::back_inserter(all));
+        if (method != studied.plan.methods.end()) tell(all, inspector, *method, chosen.pixels);
+        if (const PictureClaim* claim = find_claim(studied.pictures, chosen.label))
+            tell(all, inspector, configured(claim->method), chosen.pixels);
     }
     return to_json(all);
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/filters/pictures.h"
 #include "reports/filters/evidence_planes.h"
 #include "study/filters/plan.h"
 #include "study/filters/worst_pixels.h"
@@ -17,6 +18,7 @@ struct StudiedView {
     const Scene& scene;
     const View& view;
     const study::Plan& plan;
+    const std::vector<PictureChoice>& pictures;  ///< of others, among the plan's methods
 };
 
 /// Told by study::ProgressSink, in its order.
@@ -24,6 +26,7 @@ class ViewEvidenceWriter {
   public:
     void begin(const study::ViewEvidence& known);
     void show(const std::string& what, const Picture& picture);  ///< before begin(): nothing
+    void claim(const ClaimedPicture& claimed);                   ///< of a picture that was shown
     void map(const std::string& label, const PictureMetric& metric, const Plane<double>& map);
 
     /// folder/planes.zvp. Throws FrameError where it cannot be written.

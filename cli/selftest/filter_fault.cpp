@@ -5,55 +5,21 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "oracle/admissible_surfaces.h"
 #include "texture/catalogue.h"
 
 namespace zproof::selftest {
 
-oracle::FilterSettings reference_settings(const texture::FilterOptions& o) {
-    using oracle::filter_reference::ChainKernel;
-    const auto kernel = o.mip_kernel == texture::MipKernel::box         ? ChainKernel::box
-                        : o.mip_kernel == texture::MipKernel::polyphase ? ChainKernel::polyphase
-                                                                        : ChainKernel::lanczos3;
-    return {.wrap = {},
-            .kernel = kernel,
-            .lod_bias = o.lod_bias,
-            .lod_min = o.lod_min,
-            .lod_max = o.lod_max,
-            .max_anisotropy = o.max_anisotropy,
-            .subdivisions = o.subdivisions,
-            .samples = o.samples,
-            .seed = o.seed,
-            .given_levels = o.given_levels};
-}
-
-FilterPrecision filter_precision(const texture::FilterOptions& o) {
-    const bool is_short = o.sat_storage == texture::SatStorage::float32 ||
-                          o.sat_storage == texture::SatStorage::float32_less_mean;
-    return {.sum_bits = is_short ? 24.0 : 53.0};
-}
-
-StepRule step_rule(texture::Derivatives derivatives) {
-    return derivatives == texture::Derivatives::analytic ? StepRule::analytic : StepRule::quad_differences;
-}
-
 ConformanceResult conformance_of(const Picture& picture, const FilterFixture& fixture,
                                  const FilterClaim& claim) {
-    const auto* definition = oracle::find_filter_definition(claim.method);
-    if (definition == nullptr) throw std::logic_error("no reference for the method '" + claim.method + "'");
-    const oracle::FilterReference reference{fixture.scene, fixture.view, *definition,
-                                            reference_settings(claim.options), step_rule(claim.derivatives)};
-    const oracle::AdmissibleSurfaces surfaces{fixture.scene, fixture.view, claim.precision};
+    const ClaimedReference reference{fixture.scene, fixture.view, claim};
     const PixelReference of_pixel = [&](int x, int y, const FilterPrecision& precision) {
-        return reference.at(x, y, surfaces.at(x, y), precision);
+        return reference.at(x, y, precision);
     };
     ConformanceResult result{conformance(picture, of_pixel, claim.precision), {}};
     result.rules = rules_at_fault(picture, result.found, of_pixel, claim.precision);
-    if (definition->draws)
-        result.chance = stochastic_conformance(picture, [&](int x, int y) {
-            const auto seen = surfaces.at(x, y);
-            return seen.size() == 1 ? reference.draws_at(x, y, seen[0], claim.precision) : std::nullopt;
-        });
+    if (reference.is_stochastic())
+        result.chance =
+            stochastic_conformance(picture, [&](int x, int y) { return reference.draws_at(x, y); });
     return result;
 }
 

@@ -1,19 +1,13 @@
 /// A filter fault: one way in which a filtered picture can be wrong, and the test that must find it.
 #pragma once
 
+#include "cli/selftest/claimed_reference.h"
 #include "cli/selftest/filter_fixture.h"
 #include "cli/selftest/score.h"
 #include "compare/conformance.h"
 #include "compare/stochastic_conformance.h"
-#include "oracle/filter_reference/filter_reference.h"
-#include "rasterizer/texturing.h"
 
 namespace zproof::selftest {
-
-/// The options of a method, as its filter reference knows them, and what they promise.
-oracle::FilterSettings reference_settings(const texture::FilterOptions& options);
-FilterPrecision filter_precision(const texture::FilterOptions& options);
-StepRule step_rule(texture::Derivatives derivatives);
 
 struct FilterFault {
     std::string name;      ///< letters, digits and '_'
@@ -33,14 +27,6 @@ struct ConformanceResult {
     std::optional<StochasticConformance> chance{};  ///< of a stochastic method
 
     bool is_caught() const { return found.outside > 0 || (chance && chance->is_outside()); }
-};
-
-/// What a picture claims to be.
-struct FilterClaim {
-    std::string method;
-    texture::FilterOptions options{};
-    texture::Derivatives derivatives = texture::Derivatives::analytic;
-    FilterPrecision precision{};
 };
 
 /// What the filter reference of a method says of a picture of a fixture. The method must have a filter

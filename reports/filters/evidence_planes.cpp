@@ -44,6 +44,7 @@ planes::Block channel_block(const std::string& name, Words values, const planes:
 
 int evidence_tier_of(const std::string& block) {
     if (block.starts_with("footprint.")) return 3;
+    if (block.starts_with("claim.")) return 2;
     if (!block.starts_with("method.")) return 0;
     return block.ends_with(".flip") ? 2 : 1;
 }
@@ -51,7 +52,10 @@ int evidence_tier_of(const std::string& block) {
 }  // namespace
 
 EvidencePlanes::EvidencePlanes(const study::ViewEvidence& evidence)
-    : size_(evidence.truth.size()), truth_(evidence.truth), regions_(nlohmann::json::array()) {
+    : size_(evidence.truth.size()),
+      truth_(evidence.truth),
+      regions_(nlohmann::json::array()),
+      claims_(nlohmann::json::object()) {
     for (const study::Region& region : evidence.regions)
         regions_.push_back({{"name", region.name}, {"pixels", region.pixels}});
     const Plane<std::uint32_t> bits = study::region_bits(evidence.regions);
@@ -95,6 +99,20 @@ void EvidencePlanes::add_picture(const std::string& label, const Picture& pictur
     }
 }
 
+void EvidencePlanes::add_claim(const ClaimedPicture& claimed) {
+    claims_[claimed.label] = {{"method", claimed.method}, {"promise", claimed.promise}};
+    for (const Channel& channel : channels) {
+        const std::vector<float> found = channel_of(claimed.picture, channel);
+        const planes::Guess by_picture{"method." + claimed.label + channel.name, words(found)};
+        const auto add = [&](const char* end, const Picture& bound) {
+            blocks_.push_back(planes::beside("claim." + claimed.label + end + channel.name,
+                                             words(channel_of(bound, channel)), by_picture));
+        };
+        add(".least", claimed.permitted.least);
+        add(".greatest", claimed.permitted.greatest);
+    }
+}
+
 void EvidencePlanes::add_flip(const std::string& label, const Plane<double>& flip) {
     std::string bytes;
     for (const double value : flip.pixels())
@@ -113,6 +131,7 @@ planes::Container EvidencePlanes::container(const FilterViewFacts& facts,
              {"truth", facts.truth},
              {"regions", std::move(regions_)},
              {"methods", std::move(methods_)},
+             {"claims", std::move(claims_)},
              {"explain", facts.explain}},
             std::move(blocks_)};
 }

@@ -94,9 +94,45 @@ TEST_F(FilterPictures, HaveNamesOfTheirOwnAndAFileForEachView) {
     refused({"worked", "--picture", "nearest=a.exr"}, "is taken");
     refused({"worked", "--picture", "a=a.exr", "--picture", "a=b.exr"}, "is taken");
     refused({"worked", "--picture", "bilinear-error=a.exr"}, "is taken");
+    refused({"worked", "--picture", "mine-permitted=a.exr"}, "is taken");
     refused({"worked", "--picture", "a=a.exr"}, "put {view} into its name");
     refused({"worked", "tunnel", "--picture", "a={view}.exr"}, "put {scene} into its name");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "study"));
+}
+
+/// What the planes hold is read by tests/viewer/filters_test.mjs.
+TEST_F(FilterPictures, ShowWhatTheMethodPermitsThatTheyClaimToBe) {
+    const Ran ran = run(
+        folder_, with(small, {"worked", "--view", "phi-0", "--evidence", "--picture", "theirs=" + theirs_,
+                              "--claim", "theirs=trilinear-gl:bias=0.5", "--precision", "gpu,lod_bits=6"}));
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    const std::string permitted = folder_.read("study/pictures/worked-phi-0/theirs-permitted.exr");
+    for (const char* words : {"least.R", "greatest.B", "outside", "zproof:claim", "trilinear-gl:bias=0.5",
+                              "zproof:promise", "gpu,lod_bits=6"})
+        EXPECT_NE(permitted.find(words), std::string::npos) << words;
+    const study::StudyResults results = filters_from_json(folder_.read("study/filters.json"));
+    EXPECT_EQ(results.methods.at(2).source, "read from: " + theirs_ +
+                                                "; claims to be of trilinear-gl:bias=0.5, promising "
+                                                "gpu,lod_bits=6");
+    EXPECT_FALSE(
+        std::filesystem::exists(folder_.path() / "study/pictures/worked-phi-0/nearest-permitted.exr"));
+}
+
+TEST_F(FilterPictures, ClaimOnlyWhatCanBeChecked) {
+    const auto refused = [&](const Words& words, const std::string& why) {
+        const Ran ran =
+            run(folder_,
+                with(small, with({"worked", "--view", "phi-0", "--picture", "theirs=" + theirs_}, words)));
+        EXPECT_EQ(ran.exit_code, 2) << ran.err;
+        EXPECT_NE(ran.err.find(why), std::string::npos) << ran.err;
+    };
+    refused({"--claim", "bilinear"}, "expected NAME=METHOD");
+    refused({"--claim", "ours=bilinear"}, "with the name of a --picture");
+    refused({"--claim", "theirs=bilinearr"}, "bilinearr");
+    refused({"--claim", "theirs=oiio-aniso"}, "oiio-aniso");
+    refused({"--claim", "theirs=bilinear", "--claim", "theirs=nearest"}, "has a claim already");
+    refused({"--precision", "gpu"}, "together with --claim");
+    refused({"--claim", "theirs=bilinear", "--precision", "gpuu"}, "did you mean 'gpu'?");
 }
 
 /// The input's hash is that of the .glb that anybody can write and hash.

@@ -260,6 +260,28 @@ TEST(EvidencePlanes, HoldFloatsBitByBit) {
     EXPECT_EQ(made.header.at("regions").at(1).at("pixels"), 1);
 }
 
+TEST(EvidencePlanes, HoldWhatAClaimPermits) {
+    const study::ViewEvidence known = small_evidence();
+    EvidencePlanes writer(known);
+    const Picture& picture = known.truth;
+    PermittedInterval permitted{picture, picture};
+    permitted.least.at(1, 0).g = 0.1f, permitted.greatest.at(2, 0).b = 0.9f;
+    writer.add_picture("m", picture);
+    writer.add_claim({"m", "ewa-true", "gpu", picture, permitted});
+    const planes::Container made =
+        std::move(writer).container({"s", "v", "N", "zproof filters explain s"}, {});
+    std::vector<std::uint32_t> green, blue;
+    for (const LinearRgb& colour : picture.pixels()) {
+        green.push_back(std::bit_cast<std::uint32_t>(colour.g));
+        blue.push_back(std::bit_cast<std::uint32_t>(colour.b));
+    }
+    EXPECT_EQ(as_float(planes::decode(content_of(made, "claim.m.least.g"), green)[1]), 0.1f);
+    EXPECT_EQ(planes::decode(content_of(made, "claim.m.greatest.g"), green), green);
+    EXPECT_EQ(as_float(planes::decode(content_of(made, "claim.m.greatest.b"), blue)[2]), 0.9f);
+    EXPECT_EQ(made.header.at("claims"),
+              nlohmann::json({{"m", {{"method", "ewa-true"}, {"promise", "gpu"}}}}));
+}
+
 PixelInspection told(std::vector<WeightFinding> findings) {
     PixelInspection one;
     one.x = 9, one.y = 99, one.label = "ewa", one.texture_width = 8, one.texture_height = 8;

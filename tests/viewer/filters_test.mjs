@@ -7,14 +7,19 @@ import {readExr} from './exr.mjs';
 import {choose, crc32, frames, makeFolder, openBrowser, openReport, paneDigest, pixelShown, press, removeFolder, says, shell,
         viewerShows, zproof} from './stage.mjs';
 
-const methods = ['nearest', 'trilinear-gl', 'ewa-true'], width = 96, height = 72;
-let folder, study, browser;
+const methods = ['nearest', 'trilinear-gl', 'ewa-true'], width = 96, height = 72, size = ['--width', width, '--height', height];
+let folder, study, claims, browser;
 
 before(async () => {
     folder = makeFolder();
     study = join(folder, 'study');
-    zproof(0, 'filters', 'run', 'worked', 'tunnel', '--view', 'phi-45,aside', '--methods', methods.join(), '--width', width,
-           '--height', height, '--flicker', '0', '-o', study);
+    zproof(0, 'filters', 'run', 'worked', 'tunnel', '--view', 'phi-45,aside', '--methods', methods.join(), ...size,
+           '--flicker', '0', '-o', study);
+    claims = join(folder, 'claims');
+    const picture = (name) => join(study, 'pictures/worked-phi-45', name + '.exr');
+    zproof(0, 'filters', 'run', 'worked', '--view', 'phi-45', '--methods', 'nearest', ...size, '--flicker', '0', '--evidence', '-o', claims,
+           '--picture', 'right=' + picture('trilinear-gl'), '--picture', 'wrong=' + picture('nearest'),
+           '--claim', 'right=trilinear-gl', '--claim', 'wrong=trilinear-gl', '--precision', 'gpu');
     browser = await openBrowser();
 });
 
@@ -123,6 +128,79 @@ describe('a pixel of a study', () => {
         }));
         assert.deepEqual(drawn, [{shown: 'texture', cyan: true, orange: false}, {shown: 'read', cyan: true, orange: true},
                                  {shown: 'exact', cyan: true, orange: true}]);
+        await page.close();
+    });
+});
+
+/// Pictures of strangers: `right` is trilinear-gl as it claims, `wrong` is nearest and claims to be trilinear-gl.
+describe('a picture with a claim', () => {
+    const permitted = (name) => readExr(readFileSync(join(claims, 'pictures/worked-phi-45', name + '-permitted.exr'))).planes;
+    const floats = (plane) => new Float32Array(plane.buffer);
+    const openClaims = (place) => openReport(browser, claims, '#view=worked-phi-45&' + place, {}, 'filters.html');
+    const rows = (page) => page.$$eval('#viewer .permitted tbody tr', (all) => all.map((row) => [...row.cells].slice(1).map((cell) => cell.textContent)));
+    const outside = () => floats(permitted('wrong').outside);
+    const farthest = () => outside().indexOf(Math.max(...outside()));
+
+    it('counts the pixels outside as the check does', async () => {
+        const page = await openClaims('x=48&y=50&method=wrong');
+        const count = outside().filter((distance) => distance > 0).length;
+        const checked = zproof(1, 'filters', 'check', 'trilinear-gl', 'worked', '--view', 'phi-45', ...size, '--precision', 'gpu',
+                               '--picture', join(claims, 'pictures/worked-phi-45/wrong.exr'));
+        assert.equal(checked.includes(`${count} of ${width * height} pixels outside`), true, checked);
+        const shown = await page.textContent('#viewer .inspector');
+        assert.equal(shown.includes(`${count.toLocaleString('en')} pixels of ${(width * height).toLocaleString('en')} outside`), true, shown);
+        await page.close();
+    });
+
+    it('shows for each channel what was found, what is permitted, and how far it is outside', async () => {
+        const page = await openClaims('x=0&y=0&method=wrong');
+        await page.click('#viewer button:has-text("Next pixel outside")');
+        const [x, y] = await pixelShown(page), pixel = y * width + x;
+        assert.equal(pixel, farthest());
+        const planes = permitted('wrong'), found = exr('nearest').planes;
+        for (const [i, channel] of ['R', 'G', 'B'].entries()) {
+            const [value, least, greatest] = [found[channel], planes['least.' + channel], planes['greatest.' + channel]].map((plane) => floats(plane)[pixel]);
+            const [shown, low, high, side] = (await rows(page))[i];
+            assert.deepEqual([shown, low, high].map((text) => Math.fround(Number(text))), [value, least, greatest], channel);
+            const rank = (number) => new Int32Array(Float32Array.of(number).buffer)[0];
+            const ulps = value < least ? rank(least) - rank(value) : value > greatest ? rank(value) - rank(greatest) : 0;
+            const words = ulps === 0 ? /^inside$/ : new RegExp(`^${ulps.toLocaleString('en')} ulp \\([0-9.e-]+/255\\) ${value < least ? 'below' : 'above'}$`);
+            assert.match(side, words, channel);
+        }
+        assert.match(await page.textContent('#viewer .why'), /^wrong claims to be trilinear-gl, which reads level/);
+        assert.equal(await page.locator('#viewer canvas[data-shown=read]').count(), 1);
+        assert.match(shell(await page.textContent('#viewer .command code')), new RegExp(`^pixel ${x},${y}, trilinear-gl: `));
+        assert.deepEqual(page.trouble, []);
+        await page.close();
+    });
+
+    it('that keeps it is inside everywhere', async () => {
+        const page = await openClaims('x=48&y=50&method=right');
+        assert.deepEqual((await rows(page)).map((row) => row[3]), ['inside', 'inside', 'inside']);
+        assert.match(await page.textContent('#viewer .claim'), /Permitted by trilinear-gl, promising gpu/);
+        assert.match(await page.textContent('#viewer .inspector'), /0 pixels of 6,912 outside/);
+        assert.equal(await page.locator('#viewer button:has-text("Next pixel outside")').count(), 0);
+        await page.close();
+    });
+
+    it('has a pane of the pixels outside, dark where it keeps it', async () => {
+        const layers = 'layers=outside,truth,outside,truth';
+        const wrong = await openClaims('method=wrong&' + layers), right = await openClaims('method=right&' + layers);
+        const lit = (page) => page.evaluate(() => {
+            const canvas = document.querySelector('#viewer .pane canvas'), {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+            const colours = new Set();
+            for (let k = 0; k < data.length; k += 4) colours.add(data[k] << 16 | data[k + 1] << 8 | data[k + 2]);
+            return colours.size;
+        });
+        assert.equal(await lit(wrong) > 10, true);
+        assert.equal(await lit(right) <= 3, true);
+        await wrong.close();
+        await right.close();
+    });
+
+    it('is none without --claim', async () => {
+        const page = await openClaims('x=48&y=50&method=nearest');
+        assert.equal(await page.locator('#viewer .claim').count(), 0);
         await page.close();
     });
 });

@@ -1,15 +1,21 @@
 // All that is known of a pixel of a filter study.
+import type {Channels} from './channels';
 import {element, replaceChildren} from './element';
+import {claimTable} from './filter_claim';
+import type {Claim} from './filter_claim';
 import {drawFootprint, spreadAlong} from './filter_drawing';
 import type {Shown} from './filter_drawing';
 import {signed} from './filter_layers';
 import {asFloats} from './filter_view';
-import type {Channels, FilterView, Inspection, Shape} from './filter_view';
-import {rounded} from './numbers';
+import type {FilterView, Inspection, Shape} from './filter_view';
+import {counted, grouped, rounded} from './numbers';
 import type {Planes} from './planes';
 import type {PixelInspector} from './subject';
 
 export type FilterChoice = {method: string; other: string};
+
+/// Where its buttons lead.
+export type FilterWays = {toStory(): void; toOutside(): void};
 
 export class FilterInspector implements PixelInspector {
     readonly root = element('aside', {class: 'inspector', 'aria-label': 'pixel', 'aria-live': 'polite'});
@@ -17,17 +23,19 @@ export class FilterInspector implements PixelInspector {
 
     constructor(private readonly choice: FilterChoice, private readonly viewOf: (planes: Planes) => FilterView | null,
                 private readonly copy: (text: string, what: string) => void,
-                private readonly linkHere: () => string, private readonly next: () => void) {}
+                private readonly linkHere: () => string, private readonly walk: FilterWays) {}
 
     show(planes: Planes | null, x: number, y: number): void {
         const view = planes && this.viewOf(planes);
         if (!view || x < 0) return this.showNothing();
-        const pixel = y * view.planes.width + x, one = view.inspection(pixel, this.choice.method);
+        const {method} = this.choice, claim = view.header.claims?.[method], read = claim?.method ?? method;
+        const pixel = y * view.planes.width + x, own = view.inspection(pixel, method);
+        const claimed = claim && view.inspection(pixel, read), one = claimed ?? own;
         replaceChildren(this.root, element('h2', {}, `Pixel ${x}, ${y}`),
             element('p', {class: 'fine regions'}, view.regionsAt(pixel).slice(1).join(' · ')),
-            one && element('p', {class: 'why'}, `${one.method} ${one.why}.`),
-            this.values(view, pixel), this.facts(view, pixel), one ? inspectionOf(one) : this.noInspection(view),
-            this.command(view, x, y));
+            one && element('p', {class: 'why'}, claimed ? `${method} claims to be ${one.method}, which ${one.why}.` : `${method} ${one.why}.`),
+            this.values(view, pixel), claim && this.permitted(view, claim, pixel), this.facts(view, pixel),
+            one ? inspectionOf(one) : this.noInspection(view, read), this.command(view, x, y, read));
         if (one) draw(this.root, one);
         const key = `${view.header.scene}/${view.header.view}/${x}/${y}`;
         if (key !== this.shown) this.root.scrollTop = 0;
@@ -56,6 +64,16 @@ export class FilterInspector implements PixelInspector {
             element('tbody', {}, row('truth', truth, true), ...labels.map((label) => row(label, view.picture(label), false))));
     }
 
+    /// What the picture's claim permits, and the way to the pixels outside.
+    private permitted(view: FilterView, claim: Claim, pixel: number): HTMLElement {
+        const found = view.picture(this.choice.method), permitted = view.permitted(this.choice.method);
+        if (!found || !permitted) return element('p', {class: 'fine'}, `What ${claim.method} permits is not in this page.`);
+        const count = view.outside(this.choice.method)!.reduce((sum, distance) => sum + (distance > 0 ? 1 : 0), 0);
+        return element('div', {}, claimTable(claim, found, permitted, pixel),
+            element('p', {class: 'fine'}, `${counted(count, 'pixel')} of ${grouped(view.planes.pixelCount)} outside. `,
+                count > 0 && element('button', {type: 'button', onclick: () => this.walk.toOutside()}, 'Next pixel outside')));
+    }
+
     /// Certainty, flip and footprint, as far as planes are decoded.
     private facts(view: FilterView, pixel: number): HTMLElement {
         const float = (name: string) => {
@@ -73,14 +91,14 @@ export class FilterInspector implements PixelInspector {
                 : 'no texture'));
     }
 
-    private noInspection(view: FilterView): HTMLElement {
+    private noInspection(view: FilterView, method: string): HTMLElement {
         const some = view.inspections.some((one) => one.method === this.choice.method);
-        return element('p', {class: 'fine'}, `What ${this.choice.method} reads here is not stored; the command tells it. `,
-            some && element('button', {type: 'button', onclick: () => this.next()}, 'Next pixel with an inspection'));
+        return element('p', {class: 'fine'}, `What ${method} reads here is not stored; the command tells it. `,
+            some && element('button', {type: 'button', onclick: () => this.walk.toStory()}, 'Next pixel with an inspection'));
     }
 
-    private command(view: FilterView, x: number, y: number): HTMLElement {
-        const command = `${view.header.explain} --pixel ${x},${y} --method ${quoted(this.choice.method)}`;
+    private command(view: FilterView, x: number, y: number, method: string): HTMLElement {
+        const command = `${view.header.explain} --pixel ${x},${y} --method ${quoted(method)}`;
         return element('div', {class: 'command'}, element('code', {}, command),
             element('div', {},
                 element('button', {type: 'button', onclick: () => this.copy(command, 'command')}, 'Copy command'), ' ',

@@ -1,7 +1,9 @@
 // What a pane can show of a filter study.
+import type {Channels} from './channels';
 import {encoded, errorPalette, fromHex, ground, noNumber, packed, viridis} from './colours';
+import {claimPlanesOf} from './filter_claim';
 import {asFloats, codeOf, planesOf} from './filter_view';
-import type {Channels, FilterView} from './filter_view';
+import type {FilterView} from './filter_view';
 import type {Layer, Painted} from './layers';
 import {rounded} from './numbers';
 import type {Planes} from './planes';
@@ -99,6 +101,25 @@ function ratioLayer(view: FilterView, id: string, method: string): Layer {
     };
 }
 
+const leastOutside = codeOf(2 ** -26);  // of values near 1, the half of an ulp
+
+const outsidePalette = Uint32Array.from({length: 256}, (_, code) => code === 0 ? ground
+    : viridis[Math.round(255 * (0.15 + 0.85 * Math.min(1, Math.max(0, (code - leastOutside) / (codeOfOne - leastOutside)))))]);
+
+/// How far the picture lies outside what the method that it claims to be of permits.
+function outsideLayer(view: FilterView, id: string, method: string): Layer {
+    return {
+        id, title: `${method}: outside what ${view.header.claims?.[method]?.method} permits`, needs: claimPlanesOf(method),
+        async paint() {
+            await view.need(method);
+            const distances = view.outside(method)!, values = magnitudeCodes(distances);
+            return {colour: (p) => outsidePalette[values[p]], text: (p) => distances[p] ? `${rounded(distances[p])} outside` : 'permitted',
+                    label: (p) => distances[p] ? rounded(distances[p]) : '', bits: (p) => values[p],
+                    severity: {values, palette: outsidePalette, dotted: 256}};
+        },
+    };
+}
+
 function flipLayer(id: string, method: string): Layer {
     const plane = `method.${method}.flip`;
     return {
@@ -177,7 +198,7 @@ export function filterLayers(view: FilterView, method: string, other: string, of
         picture('method', method), pictureLayer('truth', 'truth', ['truth.r', 'truth.g', 'truth.b'], async () => view.truth),
         signedLayer(view, 'signed', method), magnitudeLayer(view, 'error', method), picture('other', other),
         signedLayer(view, 'other-signed', other), flipLayer('flip', method), lodLayer(), anisotropyLayer(), regionLayer(view),
-        ratioLayer(view, 'ratio', method), magnitudeLayer(view, 'other-error', other), flipLayer('other-flip', other),
+        outsideLayer(view, 'outside', method), ratioLayer(view, 'ratio', method), magnitudeLayer(view, 'other-error', other), flipLayer('other-flip', other),
     ];
     return layers.filter((layer) => layer.needs.every((name) => offered.has(name)));
 }

@@ -97,7 +97,7 @@ export function filterStudyOf(study: Study, stage: Stage): Subject {
     });
     return {
         inspector: new FilterInspector(choice, (planes) => open?.planes === planes ? open : null,
-            (text, what) => void stage.notice.copy(text, what), stage.link, () => walk.toStory()),
+            (text, what) => void stage.notice.copy(text, what), stage.link, walk),
         walk, drawer, tools: methods.root, entries: entryStyle,
         facts: (view) => `GT-${study.truth}, ${view.width} × ${view.height}`,
         async open(planes: Planes) {

@@ -1,10 +1,15 @@
 // One view of a filter study: its planes as numbers, and what is stored of single pixels.
+import {channelNames} from './channels';
+import type {Channels} from './channels';
 import type {Header} from './container';
+import {claimPlanesOf, distanceOutside} from './filter_claim';
+import type {Claim, Permitted} from './filter_claim';
 import type {Planes} from './planes';
 
 /// Of a studied view (reports/filters/evidence_planes.cpp).
 export type StudyHeader = Header & {
     truth: string; regions: {name: string; pixels: number}[]; methods: string[]; explain: string;
+    claims?: Record<string, Claim>;  // by the picture's label
 };
 
 type Triple = [number, number, number];
@@ -22,10 +27,6 @@ export type Inspection = {
     centre: Pair; corners: Pair[]; major: number; minor: number; direction: Pair; window?: TextureWindow; exact?: Shape;
     reading?: {taps: number[][]; taps_in_all: number; images: ReadImage[]; shape: Shape};
 };
-
-export type Channels = [Float32Array, Float32Array, Float32Array];
-
-export const channelNames = ['r', 'g', 'b'] as const;
 
 export function planesOf(method: string): string[] { return channelNames.map((c) => `method.${method}.${c}`); }
 
@@ -46,6 +47,8 @@ export class FilterView {
     inspections: Inspection[] = [];
     private readonly channels = new Map<string, Channels>();
     private readonly magnitudes = new Map<string, Float32Array>();
+    private readonly intervals = new Map<string, Permitted>();
+    private readonly distances = new Map<string, Float32Array>();
 
     constructor(readonly planes: Planes) {}
 
@@ -57,11 +60,12 @@ export class FilterView {
         this.inspections = await this.planes.json<Inspection[]>('inspections') ?? [];
     }
 
-    /// Decodes a method's picture, where the page holds it.
+    /// Decodes a method's picture and what its claim permits, where the page holds them.
     async need(method: string): Promise<void> {
-        const names = planesOf(method);
-        if (!this.channels.has(method) && names.every((name) => this.planes.has(name)))
-            this.channels.set(method, await this.read(names));
+        const names = planesOf(method), ends = claimPlanesOf(method), hasAll = (all: string[]) => all.every((name) => this.planes.has(name));
+        if (!this.channels.has(method) && hasAll(names)) this.channels.set(method, await this.read(names));
+        if (!this.intervals.has(method) && hasAll(ends))
+            this.intervals.set(method, {least: await this.read(ends.slice(0, 3)), greatest: await this.read(ends.slice(3))});
     }
 
     private async read(names: string[]): Promise<Channels> {
@@ -70,6 +74,18 @@ export class FilterView {
 
     /// What need() has decoded.
     picture(method: string): Channels | null { return this.channels.get(method) ?? null; }
+
+    /// Likewise; null without a claim.
+    permitted(method: string): Permitted | null { return this.intervals.get(method) ?? null; }
+
+    /// How far every pixel lies outside what its claim permits, 0 inside; null without the picture or a claim.
+    outside(method: string): Float32Array | null {
+        const known = this.distances.get(method), picture = this.picture(method), permitted = this.permitted(method);
+        if (known || !picture || !permitted) return known ?? null;
+        const made = Float32Array.from({length: picture[0].length}, (_, p) => distanceOutside(picture, permitted, p));
+        this.distances.set(method, made);
+        return made;
+    }
 
     /// |method - truth| of the worst channel at every pixel, infinite where one is no number; null without the picture.
     errors(method: string): Float32Array | null {

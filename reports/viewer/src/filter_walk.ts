@@ -35,6 +35,14 @@ export class FilterWalk implements PixelWalk {
         this.stage.go(told.find((pixel) => pixel > (look.hasCross ? look.cross : -1)) ?? told[0]);
     }
 
+    /// Over the pixels outside what the picture's claim permits, the farthest first.
+    toOutside(): void {
+        const distances = this.view()?.outside(this.choice.method);
+        if (!distances) return;
+        const outside = Array.from(distances.keys()).filter((p) => distances[p] > 0);
+        this.along(outside.sort((a, b) => distances[b] - distances[a] || a - b), 1, 'outside what is permitted');
+    }
+
     private along(order: number[], direction: 1 | -1, words: string): void {
         const {look} = this.stage.current;
         if (!order.length) return this.stage.notice.tell('No pixel is in the filter.');

@@ -9,6 +9,11 @@ export function floatOf(bits: number): number {
     return bitsBuffer.getFloat32(0);
 }
 
+export function bitsOf(value: number): number {
+    bitsBuffer.setFloat32(0, value);
+    return bitsBuffer.getUint32(0);
+}
+
 /// The shortest decimal that reads back to the same float32.
 export function shortestFloat(value: number): string {
     if (!Number.isFinite(value)) return Number.isNaN(value) ? 'not a number' : value < 0 ? '-inf' : 'inf';
@@ -33,6 +38,9 @@ export function ulpsBetween(a: number, b: number): number {
     if (Number.isNaN(floatOf(a)) || Number.isNaN(floatOf(b))) return NaN;
     return rank(b) - rank(a);
 }
+
+/// The same of two numbers that are floats.
+export function rankBetween(a: number, b: number): number { return ulpsBetween(bitsOf(a), bitsOf(b)); }
 
 export function grouped(value: number): string {
     return String(value).replace(/\B(?=(\d{3})+(?!\d))/g, ',');

@@ -1,0 +1,46 @@
+/// What a picture claims to be, and what the filter reference of that method permits it to show.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "oracle/admissible_surfaces.h"
+#include "oracle/filter_reference/filter_reference.h"
+#include "rasterizer/texturing.h"
+
+namespace zproof::selftest {
+
+/// The options of a method, as its filter reference knows them, and what they promise.
+oracle::FilterSettings reference_settings(const texture::FilterOptions& options);
+FilterPrecision filter_precision(const texture::FilterOptions& options);
+StepRule step_rule(texture::Derivatives derivatives);
+
+/// What a picture claims to be.
+struct FilterClaim {
+    std::string method;
+    texture::FilterOptions options{};
+    texture::Derivatives derivatives = texture::Derivatives::analytic;
+    FilterPrecision precision{};
+};
+
+/// A claim on one view of a scene, over all surfaces that its promise admits. Scene and view must outlive it.
+/// May be asked from many threads.
+class ClaimedReference {
+  public:
+    /// Throws std::logic_error where the method has no filter reference.
+    ClaimedReference(const Scene& scene, const View& view, const FilterClaim& claim);
+
+    PermittedColours at(int x, int y, const FilterPrecision& precision) const;
+
+    bool is_stochastic() const { return bool(definition_.draws); }
+    /// What a sample may be where the promise admits one surface alone; else none.
+    std::optional<ColourDraws> draws_at(int x, int y) const;
+
+  private:
+    const oracle::filter_reference::Definition& definition_;
+    FilterPrecision promise_;
+    oracle::FilterReference reference_;
+    oracle::AdmissibleSurfaces surfaces_;
+};
+
+}  // namespace zproof::selftest
