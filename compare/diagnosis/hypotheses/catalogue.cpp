@@ -16,30 +16,30 @@ bool is_blank(const Frame& frame) {
                                [](PrimitiveId id) { return id == PrimitiveId::none; });
 }
 
-enum Kind { signs, place, depth, ids, dropped, drawing, coverage, parts, precision };
+enum class Kind { signs, place, depth, ids, dropped, drawing, coverage, parts, precision };
 
 struct Family {
     Kind kind;
     std::vector<Hypothesis> (*hypotheses)(const DiagnosisInput&);
 };
 
-constexpr std::array all_families{Family{signs, hypotheses_of_signs},
-                                  Family{place, hypotheses_of_place},
-                                  Family{place, hypotheses_of_grid},
-                                  Family{depth, hypotheses_of_depth},
-                                  Family{depth, hypotheses_of_depth_elsewhere},
-                                  Family{ids, hypotheses_of_ids},
-                                  Family{ids, hypotheses_of_shared_ids},
-                                  Family{dropped, hypotheses_of_dropped_triangles},
-                                  Family{drawing, hypotheses_of_drawing},
-                                  Family{coverage, hypotheses_of_coverage},
-                                  Family{parts, hypotheses_of_parts},
-                                  Family{place, hypotheses_of_window},
-                                  Family{precision, hypotheses_of_precision}};
+constexpr std::array all_families{Family{Kind::signs, hypotheses_of_signs},
+                                  Family{Kind::place, hypotheses_of_place},
+                                  Family{Kind::place, hypotheses_of_grid},
+                                  Family{Kind::depth, hypotheses_of_depth},
+                                  Family{Kind::depth, hypotheses_of_depth_elsewhere},
+                                  Family{Kind::ids, hypotheses_of_ids},
+                                  Family{Kind::ids, hypotheses_of_shared_ids},
+                                  Family{Kind::dropped, hypotheses_of_dropped_triangles},
+                                  Family{Kind::drawing, hypotheses_of_drawing},
+                                  Family{Kind::coverage, hypotheses_of_coverage},
+                                  Family{Kind::parts, hypotheses_of_parts},
+                                  Family{Kind::place, hypotheses_of_window},
+                                  Family{Kind::precision, hypotheses_of_precision}};
 
 /// Of a frame without any triangle: what else could be wrong does not show.
-constexpr std::array families_of_blank_frames{Family{dropped, hypotheses_of_dropped_triangles},
-                                              Family{parts, hypotheses_of_blank_frames}};
+constexpr std::array families_of_blank_frames{Family{Kind::dropped, hypotheses_of_dropped_triangles},
+                                              Family{Kind::parts, hypotheses_of_blank_frames}};
 
 }  // namespace
 
@@ -50,7 +50,7 @@ std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input) {
     std::vector<Hypothesis> all;
     for (const Family& family : families)
         for (Hypothesis& h : family.hypotheses(input)) {
-            h.kind = family.kind;
+            h.kind = int(family.kind);
             all.push_back(std::move(h));
         }
     for (Hypothesis& h : all) h.look_at = look_at(h.name);
