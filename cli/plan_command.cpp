@@ -13,6 +13,7 @@
 #include "cli/version.h"
 #include "frame/whole_file.h"
 #include "reports/plan.h"
+#include "reports/wording.h"
 #include "scenes/scene_error.h"
 
 namespace zproof {
@@ -54,9 +55,9 @@ PlannedRun planned(const RunWords& words, const std::vector<Results>& earlier_ru
 }
 
 void say_makespan(const Plan& plan) {
-    const std::vector<double> seconds = shard_seconds(plan);
-    std::cerr << "zproof: " << plan.shards << " shards; expected to end after " << std::ranges::max(seconds)
-              << " s, no plan before " << least_makespan_s(plan) << " s\n";
+    std::cerr << "zproof: " << counted(std::uint64_t(plan.shards), "shard") << "; expected to end after "
+              << fixed(std::ranges::max(shard_seconds(plan)), 2) << " s; no plan ends before "
+              << fixed(least_makespan_s(plan), 2) << " s\n";
 }
 
 }  // namespace
