@@ -316,6 +316,7 @@ Ending run_views(const SceneRun& run) {
     config.progress.begin_stage("load");
     const Loaded loaded = load(source, resolution_of(source, config));
     if (loaded.scene.triangles.empty()) {
+        places_in(source.share, {});  // a plan may know of views
         if (source.share.has_the_first()) record.add(without_triangles(source, loaded.scene));
         return Ending::complete;
     }

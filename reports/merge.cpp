@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -86,6 +87,16 @@ void require_each_view_once(const std::vector<ViewResult>& views, const std::str
                "view " + twice->view + " of " + twice->scene + " is in two shards; run the shards again");
 }
 
+/// Of one scene. Shards that read it before and after it was changed are of no one run.
+void require_one_scene(std::span<const ViewResult> views, const std::string& name) {
+    std::set<std::string> contents;
+    for (const ViewResult& view : views)
+        if (!view.scene_sha256.empty()) contents.insert(view.scene_sha256);
+    if (contents.size() > 1)
+        refuse(name, "the shards judged different contents of scene " + views.front().scene +
+                         "; run the shards again");
+}
+
 /// The views of each scene together.
 template <class Work>
 void for_each_scene(std::vector<ViewResult>& views, const Work& work) {
@@ -121,12 +132,12 @@ void require_all_views(Results& whole, const std::string& name) {
 }
 
 bool is_option_with_value(const std::string& word) {
-    return word == "--shard" || word == "-o" || word == "--out";
+    return word == "--shard" || word == "--empty-shard" || word == "-o" || word == "--out";
 }
 
-bool is_option_and_value(const std::string& word) {
-    return word.starts_with("--shard=") || word.starts_with("--out=") ||
-           (word.starts_with("-o") && word.size() > 2);
+bool is_one_word(const std::string& word) {
+    return word == "--exit-zero" || word.starts_with("--shard=") || word.starts_with("--empty-shard=") ||
+           word.starts_with("--out=") || (word.starts_with("-o") && word.size() > 2);
 }
 
 }  // namespace
@@ -181,7 +192,10 @@ Results Merging::put_together() && {
     const auto repeated = std::ranges::unique(whole.views, stand_for_one_scene);
     whole.views.erase(repeated.begin(), repeated.end());
     require_each_view_once(whole.views, first_);
-    for_each_scene(whole.views, [](std::span<ViewResult> views) { hold_to_expectations(views); });
+    for_each_scene(whole.views, [&](std::span<ViewResult> views) {
+        require_one_scene(views, first_);
+        hold_to_expectations(views);
+    });
     return whole;
 }
 
@@ -205,7 +219,7 @@ std::vector<std::string> without_shard_words(const std::vector<std::string>& arg
     for (std::size_t i = 0; i < argv.size(); ++i) {
         if (is_option_with_value(argv[i]))
             ++i;
-        else if (!is_option_and_value(argv[i]))
+        else if (!is_one_word(argv[i]))
             rest.push_back(argv[i]);
     }
     return rest;

@@ -39,7 +39,8 @@ class Merging {
     std::vector<std::string> holders_;  ///< of each shard, by number; empty: nobody
 };
 
-/// The words without "--shard X" and "-o X" ("--out X"), in all ways to write them.
+/// The words without those that are a shard's own: "--shard X", "--empty-shard X", "--exit-zero" and "-o X"
+/// ("--out X"), in all ways to write them.
 std::vector<std::string> without_shard_words(const std::vector<std::string>& argv);
 
 }  // namespace zproof

@@ -14,11 +14,13 @@ namespace {
 class KeepingEmbree {
   public:
     KeepingEmbree(const Scene& scene, std::string scene_sha256, oracle::ReferenceCache& cache)
-        : scene_(scene), scene_sha256_(std::move(scene_sha256)), cache_(cache) {}
+        : scene_(scene),
+          scene_sha256_(std::move(scene_sha256)),
+          tracer_(oracle::embree_version() + " " + version_number() + " " + commit()),
+          cache_(cache) {}
 
     Frame frame(const View& view) {
-        const std::string key = oracle::reference_key(
-            scene_sha256_, view, oracle::embree_version() + " " + version_number() + " " + commit());
+        const std::string key = oracle::reference_key(scene_sha256_, view, tracer_);
         if (auto kept = cache_.find(key, {view.width, view.height})) return std::move(*kept);
         if (!embree_) embree_.emplace(scene_);
         Frame traced = embree_->trace(view);
@@ -28,7 +30,7 @@ class KeepingEmbree {
 
   private:
     const Scene& scene_;
-    std::string scene_sha256_;
+    std::string scene_sha256_, tracer_;
     oracle::ReferenceCache& cache_;
     std::optional<oracle::Embree> embree_;
 };

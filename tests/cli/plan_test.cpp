@@ -311,6 +311,17 @@ TEST(Plans, RefuseScenesThatCameLater) {
     EXPECT_NE(ran.err.find("other scenes"), std::string::npos) << ran.err;
 }
 
+TEST(Plans, RefuseASceneThatLostItsViews) {
+    const Folder folder;
+    write_models(folder);
+    run(folder, plan_words({"--of", "1"}));
+    folder.write("models/a_b.gltf", point_cloud());
+    const Ran ran = run(folder, {"run", "--plan", "plan.json", "--shard", "1", "-q"});
+    EXPECT_NE(folder.read("zproof-out/results.json").find("other views than the plan says"),
+              std::string::npos)
+        << ran.err;
+}
+
 TEST(Plans, StateAllButTheShard) {
     const Folder folder;
     write_models(folder);

@@ -80,7 +80,8 @@ TEST(Merge, GivesWhatOneRunWouldHaveGiven) {
 TEST(Merge, LeavesOutWhatIsOfTheShard) {
     using Words = std::vector<std::string>;
     EXPECT_EQ(without_shard_words({"run", "a", "--shard", "hash:1/2", "-o", "x", "-q", "--out=y", "-oz",
-                                   "--shard=hash:2/2", "--oracle", "none", "--out", "w"}),
+                                   "--shard=hash:2/2", "--oracle", "none", "--out", "w", "--exit-zero",
+                                   "--empty-shard", "ok", "--empty-shard=ok"}),
               (Words{"run", "a", "-q", "--oracle", "none"}));
 }
 
@@ -127,6 +128,15 @@ TEST(Merge, RefusesAShardThatLostAView) {
     for (Results& shard : shards)
         std::erase_if(shard.views, [](const ViewResult& v) { return v.place == 0 && v.view_place == 1; });
     EXPECT_NE(refusal(shards).find("1 views of scenes"), std::string::npos) << refusal(shards);
+}
+
+TEST(Merge, RefusesASceneThatWasChangedBetweenShards) {
+    Results one = whole();
+    for (ViewResult& view : one.views) view.scene_sha256 = std::string(64, 'a');
+    auto shards = shards_of(one, 3);
+    EXPECT_EQ(to_json(merged(shards)), to_json(one));
+    shards[0].views.front().scene_sha256 = std::string(64, 'b');
+    EXPECT_NE(refusal(shards).find("different contents of scene s0"), std::string::npos) << refusal(shards);
 }
 
 TEST(Merge, RefusesAViewThatTwoShardsJudged) {
