@@ -111,6 +111,8 @@ FilterPrecision lod_alone(const FilterClaim& claim) {
     FilterPrecision own = place_alone(promise);
     own.step_bits = promise.step_bits;
     own.lod_bits = both(promise.lod_bits, promise.weight_bits);
+    own.lod_below = promise.lod_below;
+    own.lod_above = promise.lod_above;
     if (claim.method.starts_with("ewa-")) own.weight_bits = promise.weight_bits;
     return own;
 }

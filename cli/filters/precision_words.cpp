@@ -23,6 +23,8 @@ const std::vector<Key>& keys() {
                                       {"place_bits", &FilterPrecision::place_bits},
                                       {"weight_bits", &FilterPrecision::weight_bits},
                                       {"lod_bits", &FilterPrecision::lod_bits},
+                                      {"lod_below", &FilterPrecision::lod_below},
+                                      {"lod_above", &FilterPrecision::lod_above},
                                       {"tap_bits", &FilterPrecision::tap_bits},
                                       {"sum_bits", &FilterPrecision::sum_bits},
                                       {"texel_bits", &FilterPrecision::texel_bits},

@@ -175,8 +175,8 @@ class Diagnoser {
 
     /// Of those that do as well as the best.
     static void put_what_supposes_no_rule_first(std::vector<HypothesisTest>& ranked) {
-        std::ranges::stable_partition(std::span(ranked).first(alike(ranked)),
-                                      [](const HypothesisTest& t) { return t.hypothesis->supposes_no_rule; });
+        std::stable_partition(ranked.begin(), ranked.begin() + std::ptrdiff_t(alike(ranked)),
+                              [](const HypothesisTest& t) { return t.hypothesis->supposes_no_rule; });
     }
 
     /// Counts what those that seem best leave open, a few at a time, and ranks them anew; how many of them

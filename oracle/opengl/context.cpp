@@ -22,17 +22,42 @@ std::string in_hex(unsigned code) {
                       "); install a driver, e.g. libgl1-mesa-dri");
 }
 
-/// A display that needs no window system. Displays are shared by the whole process and are not ended here.
-EGLDisplay surfaceless_display() {
+bool egl_has(std::string_view extension) {
     const char* listed = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-    const std::string_view extensions = listed ? listed : "";
-    if (extensions.find("EGL_MESA_platform_surfaceless") == std::string_view::npos)
-        refuse("no EGL device: EGL_MESA_platform_surfaceless is not among its extensions");
-    const EGLDisplay display =
-        eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (display == EGL_NO_DISPLAY) refuse("no EGL device: no surfaceless display");
-    if (!eglInitialize(display, nullptr, nullptr)) refuse("no EGL device: the display cannot be initialized");
-    return display;
+    return listed && std::string_view(listed).find(extension) != std::string_view::npos;
+}
+
+EGLDisplay started(EGLDisplay display) {
+    return display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) ? display : EGL_NO_DISPLAY;
+}
+
+EGLDisplay surfaceless_display() {
+    if (!egl_has("EGL_MESA_platform_surfaceless")) return EGL_NO_DISPLAY;
+    return started(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+}
+
+/// Of the first device that starts.
+EGLDisplay device_display() {
+    const auto query_devices =
+        reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+    if (!egl_has("EGL_EXT_platform_device") || !query_devices) return EGL_NO_DISPLAY;
+    std::array<EGLDeviceEXT, 16> devices;
+    EGLint count = 0;
+    if (!query_devices(EGLint(devices.size()), devices.data(), &count)) return EGL_NO_DISPLAY;
+    for (EGLint index = 0; index < count; ++index)
+        if (const EGLDisplay display =
+                started(eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[std::size_t(index)], nullptr));
+            display != EGL_NO_DISPLAY)
+            return display;
+    return EGL_NO_DISPLAY;
+}
+
+/// A display that needs no window system: Mesa's, or else a device's, as drivers of graphics cards have them.
+/// Displays are shared by the whole process and are not ended here.
+EGLDisplay windowless_display() {
+    for (const auto display_of : {surfaceless_display, device_display})
+        if (const EGLDisplay display = display_of(); display != EGL_NO_DISPLAY) return display;
+    refuse("no EGL device: neither EGL_MESA_platform_surfaceless nor EGL_EXT_platform_device has a display");
 }
 
 EGLContext core_context(EGLDisplay display) {
@@ -51,7 +76,7 @@ EGLContext core_context(EGLDisplay display) {
 
 }  // namespace
 
-Context::Context() : display_(surfaceless_display()), context_(core_context(display_)) {}
+Context::Context() : display_(windowless_display()), context_(core_context(display_)) {}
 
 Context::~Context() { eglDestroyContext(display_, context_); }
 
