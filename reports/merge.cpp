@@ -189,8 +189,8 @@ Results Merging::put_together() && {
     whole.shard = {};
     whole.argv = without_shard_words(whole.argv);
     std::ranges::stable_sort(whole.views, is_before);
-    const auto repeated = std::ranges::unique(whole.views, stand_for_one_scene);
-    whole.views.erase(repeated.begin(), repeated.end());
+    whole.views.erase(std::unique(whole.views.begin(), whole.views.end(), stand_for_one_scene),
+                      whole.views.end());
     require_each_view_once(whole.views, first_);
     for_each_scene(whole.views, [&](std::span<ViewResult> views) {
         require_one_scene(views, first_);
