@@ -19,6 +19,15 @@ constexpr FilterPrecision with_fractions(double bits, double coordinate_bits) {
     return p;
 }
 
+/// Vulkan 1.3, "Scale Factor Operation": for the length of a step an implementation may take what is at least
+/// the larger of its coordinates, and at most the root of 2 times their sum. A length L has coordinates of
+/// L / sqrt(2) and more, and of a sum up to sqrt(2) L: half a level less, or one level more.
+constexpr FilterPrecision with_vulkan_lod(FilterPrecision p) {
+    p.lod_below = 0.5;
+    p.lod_above = 1;
+    return p;
+}
+
 /// Weights and tap places come of one or two further roundings.
 constexpr FilterPrecision float32() {
     FilterPrecision p = float32_arithmetic;
@@ -35,13 +44,16 @@ constexpr FilterPrecision oiio() {
 
 constexpr std::array known{
     FilterPrecisionPreset{
-        "gpu", with_fractions(8, 22),
-        "CUDA C++ Programming Guide, Linear Filtering: 9-bit fixed point with 8 bits of fraction"},
+        "gpu", with_vulkan_lod(with_fractions(8, 22)),
+        "CUDA C++ Programming Guide, Linear Filtering: 9-bit fixed point with 8 bits of fraction; the LOD as "
+        "Vulkan 1.3 permits it"},
     FilterPrecisionPreset{"d3d11", with_fractions(8, 24),
                           "Direct3D 11.3, 7.18.5 and 7.18.16: D3D11_SUBTEXEL_FRACTIONAL_BIT_COUNT and "
                           "D3D11_MIP_LOD_FRACTIONAL_BIT_COUNT are 8"},
-    FilterPrecisionPreset{"vulkan-min", with_fractions(4, 22),
-                          "Vulkan 1.3, 33.1: subTexelPrecisionBits and mipmapPrecisionBits are at least 4"},
+    FilterPrecisionPreset{
+        "vulkan-min", with_vulkan_lod(with_fractions(4, 22)),
+        "Vulkan 1.3, 33.1: subTexelPrecisionBits and mipmapPrecisionBits are at least 4; the "
+        "LOD by its Scale Factor Operation"},
     FilterPrecisionPreset{"float32", float32(), "IEEE 754 binary32 throughout"},
     FilterPrecisionPreset{"float64", FilterPrecision{}, "IEEE 754 binary64, levels and picture in float32"},
     FilterPrecisionPreset{"oiio", oiio(), "OpenImageIO 2.4, TextureSystem: float32 throughout"},

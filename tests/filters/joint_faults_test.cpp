@@ -6,7 +6,6 @@
 #include <map>
 
 #include "cli/filters/joint_check.h"
-#include "frame/filter_precision_presets.h"
 #include "rasterizer/texturing.h"
 #include "tests/filters/limited_sampler.h"
 #include "tests/filters/near_ground.h"
@@ -81,7 +80,7 @@ enum class Finder { pixel, picture, nobody };
 
 Finder finder_of(const FilterFault& fault, const FilterFixture& fixture) {
     const FilterClaim claim{
-        .method = fault.method, .options = fault.options, .precision = *preset_filter_precision("gpu")};
+        .method = fault.method, .options = fault.options, .precision = gpu_with_exact_lod()};
     const Picture picture =
         fault.inject(fixture, {.method = *texture::find_method(fault.method), .options = fault.options});
     const auto result = selftest::conformance_of(picture, fixture, claim);

@@ -6,9 +6,9 @@
 #include <random>
 
 #include "cli/filters/joint_check.h"
-#include "frame/filter_precision_presets.h"
 #include "tests/filters/limited_sampler.h"
 #include "tests/filters/near_ground.h"
+#include "texture/catalogue.h"
 
 namespace zproof {
 namespace {
@@ -17,7 +17,7 @@ using selftest::FilterClaim;
 using selftest::FilterFixture;
 using selftest::Ground;
 
-const FilterPrecision hardware = *preset_filter_precision("gpu");
+const FilterPrecision hardware = gpu_with_exact_lod();
 
 const FilterFixture& noise() {
     static const FilterFixture fixture = near_ground();
@@ -45,6 +45,24 @@ TEST(Joint, RoundedToNearestKeepsThePromise) {
     const auto found =
         joint(limited_trilinear({.lod = eight, .weights = eight, .blend = eight}), "trilinear-gl");
     EXPECT_FALSE(found.leaves_promise());
+}
+
+/// Vulkan lets an implementation take for a step's length from 1 / sqrt(2) to twice of it.
+TEST(Joint, ApproximateLengthsKeepVulkansPromiseAndNoExactOne) {
+    const FilterFixture tilted = selftest::filter_fixture(Ground::noise);
+    const std::pair<const char*, double> others[] = {
+        {"trilinear-ellipse", 0}, {"trilinear-gl", 0.9}, {"trilinear-gl", -0.4}};
+    for (const auto& [other, bias] : others) {
+        const Picture picture =
+            rasterizer::filtered(tilted.scene, tilted.view, tilted.frame,
+                                 {.method = *texture::find_method(other), .options = {.lod_bias = bias}});
+        const auto caught = [&](const FilterPrecision& promise) {
+            const FilterClaim claim{.method = "trilinear-gl", .precision = promise};
+            return selftest::conformance_of(picture, tilted, claim).is_caught();
+        };
+        EXPECT_FALSE(caught(*preset_filter_precision("gpu"))) << other << bias;
+        EXPECT_TRUE(caught(hardware)) << other << bias;
+    }
 }
 
 TEST(Joint, RoundedDownKeepsThePromise) {

@@ -1,9 +1,17 @@
 /// Samplers of limited precision, as hardware has them, for tests: honest ones, and ones with a small error.
 #pragma once
 
+#include "frame/filter_precision_presets.h"
 #include "texture/method.h"
 
 namespace zproof {
+
+/// The preset gpu with lengths of steps that are not approximate, as these samplers have them.
+inline FilterPrecision gpu_with_exact_lod() {
+    FilterPrecision promise = *preset_filter_precision("gpu");
+    promise.lod_below = promise.lod_above = 0;
+    return promise;
+}
 
 enum class Rounding { nearest, down };
 

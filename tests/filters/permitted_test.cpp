@@ -7,7 +7,7 @@
 
 #include "cli/filters/claim.h"
 #include "cli/selftest/filter_fault.h"
-#include "frame/filter_precision_presets.h"
+#include "tests/filters/limited_sampler.h"
 #include "texture/catalogue.h"
 
 namespace zproof::selftest {
@@ -31,7 +31,7 @@ bool is_inside(const Picture& picture, const PermittedInterval& interval, int x,
 class PermittedOf : public testing::TestWithParam<const char*> {
   protected:
     const FilterFixture fixture_ = filter_fixture(Ground::noise);
-    const FilterClaim claim_{.method = GetParam(), .precision = *preset_filter_precision("gpu")};
+    const FilterClaim claim_{.method = GetParam(), .precision = gpu_with_exact_lod()};
     const Picture picture_ = mixed_picture(fixture_, GetParam());
     const PermittedInterval interval_ = permitted_by(claim_, picture_, fixture_.scene, fixture_.view);
 };

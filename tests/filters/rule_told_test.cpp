@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "cli/selftest/filter_fault.h"
-#include "frame/filter_precision_presets.h"
 #include "tests/filters/limited_sampler.h"
 #include "texture/catalogue.h"
 
@@ -43,9 +42,9 @@ TEST(RuleTold, IsNotThatWeightsMayBeAnyMean) {
 
 std::optional<RuleRelaxation> told_under_gpu(const Picture& picture, const selftest::FilterFixture& fixture,
                                              const std::string& method) {
-    return rule_told(selftest::conformance_of(
-                         picture, fixture, {.method = method, .precision = *preset_filter_precision("gpu")})
-                         .rules);
+    return rule_told(
+        selftest::conformance_of(picture, fixture, {.method = method, .precision = gpu_with_exact_lod()})
+            .rules);
 }
 
 /// A level of other texels, and a factor that is not there, are no matter of weights.
