@@ -203,6 +203,15 @@ TEST(Filters, CheckComparesOurPicturesWithTheirReference) {
         << ran.out;
 }
 
+/// Row 34 shows the sky and row 35 the plane: one 2 x 2 pixels of the driver's. Its work must not grow with
+/// what lies between them.
+TEST(Filters, AnisotropicSamplerOfTheDriverEndsAtAHorizon) {
+    const Folder folder;
+    const Ran ran = run(folder, {"filters", "run", "worked", "--view", "phi-0", "--width", "192", "--height",
+                                 "192", "--methods", "opengl-aniso", "--flicker", "0", "-o", "study"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+}
+
 /// A picture is admissible by its own method, and by a method whose promise is wide enough, and by no other.
 TEST(Filters, CheckComparesAnyPictureWithItsReference) {
     const Folder folder;
