@@ -8,6 +8,7 @@
 #include "frame/input_file.h"
 #include "math/sha256.h"
 #include "reports/report_error.h"
+#include "reports/whole_number.h"
 
 namespace zproof {
 namespace {
@@ -61,21 +62,23 @@ void require_whole(const PlannedScene& scene, int shards) {
 PlannedScene scene_from(const Json& json, int shards) {
     PlannedScene scene{.scene = json.at("scene"),
                        .views = json.at("views"),
-                       .shards = json.at("shards"),
+                       .shards = {},
                        .setup_s = json.at("setup_s"),
                        .view_s = json.at("view_s")};
+    for (const Json& shard : json.at("shards")) scene.shards.push_back(whole_number<int>(shard));
     require_whole(scene, shards);
     return scene;
 }
 
 PlannedRun run_from(const Json& json, int shards) {
     const Json& selection = json.at("selection");
-    PlannedRun run{.name = json.at("name"),
-                   .argv = json.at("argv"),
-                   .selection = {selection.at("scenes"), selection.at("sha256"), {}},
-                   .scenes = {}};
+    PlannedRun run{
+        .name = json.at("name"),
+        .argv = json.at("argv"),
+        .selection = {whole_number<std::size_t>(selection.at("scenes")), selection.at("sha256"), {}},
+        .scenes = {}};
     for (const auto& [ending, files] : selection.at("passed_over").items())
-        run.selection.passed_over[ending] = files;
+        run.selection.passed_over[ending] = whole_number<std::uint64_t>(files);
     for (const Json& scene : json.at("scenes")) run.scenes.push_back(scene_from(scene, shards));
     if (run.scenes.size() != run.selection.scenes)
         refuse("expected " + std::to_string(run.selection.scenes) + " scenes, found " +
@@ -84,11 +87,13 @@ PlannedRun run_from(const Json& json, int shards) {
 }
 
 Plan plan_from(const Json& json) {
-    if (const int version = json.at("zproof_plan"); version != Plan::format_version)
+    if (const int version = whole_number<int>(json.at("zproof_plan")); version != Plan::format_version)
         refuse("its format is " + std::to_string(version) + ", this zproof reads " +
                std::to_string(Plan::format_version) + "; make the plan with this zproof");
-    Plan plan{
-        .version = json.at("version"), .commit = json.at("commit"), .shards = json.at("shards"), .runs = {}};
+    Plan plan{.version = json.at("version"),
+              .commit = json.at("commit"),
+              .shards = whole_number<int>(json.at("shards")),
+              .runs = {}};
     if (plan.shards < 1) refuse("expected shards of at least 1");
     for (const Json& run : json.at("runs")) plan.runs.push_back(run_from(run, plan.shards));
     if (plan.runs.empty()) refuse("expected runs");
