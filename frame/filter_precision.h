@@ -34,7 +34,8 @@ struct FilterPrecision {
     double place_bits = exact;    ///< place within a level, texels
     double weight_bits = exact;   ///< each weight of a 2 x 2 read, and of a blend of two levels
     double lod_bits = exact;      ///< LOD, levels
-    double lod_below = 0;         ///< the LOD may lie so far below the rule's, levels
+    double lod_below = 0;         ///< a sampler's LOD may lie so far below the rule's, levels; ellipses and
+                                  ///< OpenImageIO's methods work out a width of their own: no matter there
     double lod_above = 0;         ///< and so far above it
     double tap_bits = exact;      ///< where the taps of one lookup stand, in lengths of its axis
     double sum_bits = 53;         ///< unit roundoff of sums over texels: accumulation, summed-area tables

@@ -115,7 +115,7 @@ ColourRange read_levels(const Levels& levels, const Radii& unbiased, const Filte
     const TexelInterval at = q.footprint().centre;
     const int coarsest = int(levels.count()) - 1;
     const double inf = std::numeric_limits<double>::infinity();
-    const Interval raw = permitted_lod(log2(radii.shortness), q.precision, 0x1p-46);
+    const Interval raw = widen(log2(radii.shortness), std::exp2(-q.precision.lod_bits) + 0x1p-46);
     const Interval lod = clamped(clamped(raw, std::max(s.lod_min, 0.0), inf), 0, coarsest);
     const auto read = [&](int k) {
         if (k < coarsest) return read_ellipse(levels, k, {radii, at}, q, profile);

@@ -45,11 +45,6 @@ Interval lod(LodRule rule, const PixelFootprint& f) {
     return {};
 }
 
-Interval permitted_lod(const Interval& lod, const FilterPrecision& precision, double rounding) {
-    return widen(lod + Interval{-precision.lod_below, precision.lod_above},
-                 std::exp2(-precision.lod_bits) + rounding);
-}
-
 /// Sixteen roundings of an implementation's way to the number whose logarithm is taken cost 16 u / ln 2
 /// levels (d log2 x = dx / (x ln 2)); the logarithm, bias and sum of levels four more of themselves.
 Interval level_of(const Interval& lod, const Settings& settings, std::size_t level_count,
@@ -58,7 +53,9 @@ Interval level_of(const Interval& lod, const Settings& settings, std::size_t lev
     const double size =
         std::max(std::abs(std::max(lod.low(), -64.0)), std::abs(lod.high())) + std::abs(settings.lod_bias);
     const double rounding = unit * (16 / std::log(2.0) + 4 * size);
-    const Interval biased = permitted_lod(lod + Interval{settings.lod_bias}, precision, rounding);
+    const Interval permitted = lod + Interval{-precision.lod_below, precision.lod_above};
+    const Interval biased =
+        widen(permitted + Interval{settings.lod_bias}, std::exp2(-precision.lod_bits) + rounding);
     return clamped(clamped(biased, settings.lod_min, settings.lod_max), 0, double(level_count) - 1);
 }
 

@@ -29,11 +29,8 @@ Interval chord_log2(const Interval& a);
 
 Interval lod(LodRule rule, const PixelFootprint& footprint);
 
-/// Every LOD that the promise admits where this one is the rule's, and its arithmetic costs so many levels.
-Interval permitted_lod(const Interval& lod, const FilterPrecision& precision, double rounding);
-
-/// Biased, then clamped to the settings, then to the chain. Before clamping it is widened by what the promise
-/// admits, and by what its arithmetic may cost.
+/// Biased, then clamped to the settings, then to the chain. Before clamping it is widened by the declared
+/// bits, by what may lie below and above, and by what its arithmetic may cost.
 Interval level_of(const Interval& lod, const Settings& settings, std::size_t level_count,
                   const FilterPrecision& precision);
 

@@ -15,8 +15,8 @@ PixelFootprint in_unit_square(PixelFootprint f, const IntervalImage& image) {
 Interval adjusted(const Levels& levels, const Interval& width, const FilterPrecision& p) {
     const Interval one{double(std::min(levels.at(0).width, levels.at(0).height))};
     const Settings& s = levels.settings();
-    const Interval lod = permitted_lod(log2(width * one) + Interval{s.lod_bias}, p,
-                                       0x1p-46 + 16 * std::exp2(-p.coordinate_bits));
+    const Interval lod = widen(log2(width * one) + Interval{s.lod_bias},
+                               std::exp2(-p.lod_bits) + 0x1p-46 + 16 * std::exp2(-p.coordinate_bits));
     return exp2(clamped(lod, s.lod_min, s.lod_max)) / one;
 }
 

@@ -77,19 +77,6 @@ struct Inputs {
     Plane<glm::vec4> place, steps;
 };
 
-struct Steps {
-    glm::dvec2 per_x, per_y;
-};
-
-/// Steps, in texels of an image of this size, that give the same colour. Where one is longer than
-/// 2 * max_anisotropy images, OpenGL's rule reads the last level, one texel, however long they are; but
-/// llvmpipe's work grows with the square of their ratio.
-Steps shortened(const Steps& steps, const glm::dvec2& size, int max_anisotropy) {
-    const double longest = 2 * max_anisotropy * std::max(size.x, size.y);
-    if (std::max(glm::length(steps.per_x), glm::length(steps.per_y)) <= longest) return steps;
-    return {{longest, 0}, {0, longest}};
-}
-
 /// Continues the texture over pixels that show something else, from those beside them in their 2 x 2 pixels.
 /// A driver may look at all four: llvmpipe's anisotropic sampler takes the differences of their places for
 /// the steps, whatever steps it is given.
@@ -112,8 +99,7 @@ void complete_quads(Inputs& inputs) {
         }
 }
 
-Inputs inputs_of(const Scene& scene, const View& view, const Frame& frame, const Material& material,
-                 int max_anisotropy) {
+Inputs inputs_of(const Scene& scene, const View& view, const Frame& frame, const Material& material) {
     Inputs inputs{Plane<glm::vec4>{frame.size()}, Plane<glm::vec4>{frame.size()}};
     for (int y = 0; y < view.height; ++y) {
         for (int x = 0; x < view.width; ++x) {
@@ -125,12 +111,11 @@ Inputs inputs_of(const Scene& scene, const View& view, const Frame& frame, const
             const filter_reference::SeenTexture seen{view, triangle, FilterPrecision{}};
             const PixelFootprint f = seen.footprint(x, y, StepRule::analytic);
             const glm::dvec2 size{triangle.texture_size};
-            const auto middle_of = [](const filter_reference::TexelInterval& p) {
-                return glm::dvec2{middle(p.u), middle(p.v)};
+            const auto in_uv = [&](const filter_reference::TexelInterval& p) {
+                return glm::vec2{glm::dvec2{middle(p.u), middle(p.v)} / size};
             };
-            const Steps steps = shortened({middle_of(f.per_x), middle_of(f.per_y)}, size, max_anisotropy);
-            inputs.place.at(x, y) = glm::vec4{glm::vec2{middle_of(f.centre) / size}, 1, 0};
-            inputs.steps.at(x, y) = glm::vec4{glm::vec2{steps.per_x / size}, glm::vec2{steps.per_y / size}};
+            inputs.place.at(x, y) = glm::vec4{in_uv(f.centre), 1, 0};
+            inputs.steps.at(x, y) = glm::vec4{in_uv(f.per_x), in_uv(f.per_y)};
         }
     }
     complete_quads(inputs);
@@ -184,7 +169,7 @@ Picture opengl_filtered(const Scene& scene, const View& view, const Frame& frame
     for (const Material& material : scene.materials) {
         if (!filter_reference::is_textured(scene, material)) continue;
         const Texture& texture = material.base_color;
-        const Inputs inputs = inputs_of(scene, view, frame, material, settings.max_anisotropy);
+        const Inputs inputs = inputs_of(scene, view, frame, material);
         const Texture2d image =
             mipped_texture(scene.images[std::size_t(texture.image)], texture.sampler, asked.filter, settings);
         paint(picture, inputs, sampled(program, image, inputs, asked.steps),
