@@ -1,20 +1,18 @@
 #include <algorithm>
 #include <iostream>
-#include <new>
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/plan/assignment.h"
 #include "cli/plan/expected_seconds.h"
 #include "cli/plan/shard_commands.h"
+#include "cli/plan/unknown_scene.h"
 #include "cli/report_files.h"
-#include "cli/samples.h"
 #include "cli/selected_scenes.h"
 #include "cli/version.h"
 #include "frame/whole_file.h"
 #include "reports/plan.h"
 #include "reports/wording.h"
-#include "scenes/scene_error.h"
 
 namespace zproof {
 namespace {
@@ -27,28 +25,14 @@ EarlierRun earlier_run(const std::vector<Results>& all, const RendererChoice& ca
     return all.empty() ? EarlierRun{} : EarlierRun{all.front()};
 }
 
-/// Scenes that nobody has judged are read, for their views and how large they are.
-PlannedScene planned_scene(const SceneSource& source, const RenderSettings& settings,
-                           const EarlierRun& earlier) {
-    if (auto known = earlier.scene(source.name)) return *known;
-    try {
-        const Loaded loaded = load(source, source.size.value_or(settings.resolution));
-        if (!loaded.scene.triangles.empty())
-            return expected_of(source.name, loaded.scene, at_samples(loaded.views, settings.samples),
-                               earlier.slowness());
-    } catch (const SceneError&) {  // its shard says why
-    } catch (const std::bad_alloc&) {
-    }
-    return expected_of_none(source.name, earlier.slowness());
-}
-
 PlannedRun planned(const RunWords& words, const std::vector<Results>& earlier_runs) {
     const RunArguments run = planned_run(words.argv);
     const SelectedScenes selected = selected_scenes(run);
     const EarlierRun earlier = earlier_run(earlier_runs, run.renderers.candidate);
     PlannedRun planned{.name = words.name, .argv = words.argv, .selection = selected.selection, .scenes = {}};
     for (const SceneSource& source : selected.sources) {
-        planned.scenes.push_back(planned_scene(source, run.settings, earlier));
+        const auto known = earlier.scene(source.name);
+        planned.scenes.push_back(known ? *known : unknown_scene(source, run.settings, earlier.slowness()));
         planned.scenes.back().shards.assign(planned.scenes.back().view_s.size(), 1);
     }
     return planned;

@@ -37,10 +37,12 @@ void limit_memory(std::size_t more_bytes) {
     setrlimit(RLIMIT_CORE, &no_core);
 }
 
-/// Its memory is limited and its words go nowhere: libraries complain on standard error as they crash.
+/// Its memory is limited and its words go nowhere: libraries complain on standard error as they crash. What
+/// interrupts is for its parent alone, which it does not outlive.
 void set_apart(std::size_t memory_bytes) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ}) std::signal(number, SIG_DFL);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, SIG_IGN);
+    for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_DFL);
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);

@@ -112,5 +112,21 @@ TEST_F(Accidents, OfTheReaderOfAStoredFrameAreOneLine) {
               "exception)\n");
 }
 
+TEST_F(Accidents, OfAReaderOfScenesLeaveAPlan) {
+    ASSERT_EQ(run(folder, {"filters", "scenes", "worked", "-o", "textured"}).exit_code, 0);
+    const auto planned_views = [&](const Words& environment) {
+        const Ran ran =
+            run(folder, {"plan", "a.gltf", "textured", "--of", "2", "--config", "none"}, environment);
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        Words counts;
+        const json plan = json::parse(folder.read("plan.json"));
+        for (const json& scene : plan.at("runs").at(0).at("scenes"))
+            counts.push_back(std::to_string(scene.at("views").size()));
+        return counts;
+    };
+    EXPECT_EQ(planned_views({}), (Words{"1", "13"}));
+    EXPECT_EQ(planned_views({"ZPROOF_IMAGE_IO=" ZPROOF_ACCIDENTS, "ACCIDENT=11"}), (Words{"1", "0"}));
+}
+
 }  // namespace
 }  // namespace zproof::test

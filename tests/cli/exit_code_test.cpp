@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <set>
 #include <sstream>
 
@@ -213,6 +214,22 @@ TEST(FullDisk, IsNotMistakenForSuccess) {
     const int full = open("/dev/full", O_WRONLY | O_CLOEXEC);
     EXPECT_EQ(exit_code_of(start(folder, {"list"}, {full, full})), 3);
     close(full);
+}
+
+TEST(ClosedPipe, IsNotMistakenForAFullDisk) {
+    const Folder folder;
+    folder.write("one.gltf", one_triangle());
+    std::array<int, 2> ends{};
+    ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
+    close(ends[0]);
+    const int words = open((folder.path() / "words").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+    const pid_t id =
+        start(folder, {"run", "one.gltf", "--width", "32", "--height", "24", "-q"}, {ends[1], words});
+    close(ends[1]);
+    EXPECT_EQ(exit_code_of(id), 3);
+    close(words);
+    EXPECT_EQ(folder.read("words"), "zproof: cannot judge: stdout: was closed before all was written\n");
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "zproof-out/results.json"));
 }
 
 TEST(Misspelling, IsAnsweredWithTheSceneThatWasMeant) {

@@ -46,6 +46,14 @@ TEST(Isolated, NamesTheSignalThatEndedIt) {
     }
 }
 
+TEST(Isolated, IsEndedByNoInterruptOfItsParent) {
+    for (const int number : {SIGINT, SIGTERM, SIGHUP})
+        EXPECT_FALSE(isolated("x.exr", generous, [=] {
+                         raise(number);
+                         return Bytes(1);
+                     }).empty());
+}
+
 TEST(Isolated, EndsAtItsTimeLimit) {
     EXPECT_EQ(complaint_of(
                   []() -> Bytes {
