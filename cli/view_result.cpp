@@ -124,10 +124,10 @@ std::string undecidable_words(const Verdict& verdict) {
     for (const Finding& finding : verdict.findings)
         if (finding.verdict == PixelClass::undecidable) eps_px = std::max(eps_px, finding.eps_px);
     std::ostringstream text;
-    text << undecidable_count(verdict) << " pixels are undecidable at eps = " << std::setprecision(3)
-         << eps_px
-         << " px: the declared precision may show too many triangles there; declare a finer one if it is "
-            "finer";
+    text
+        << undecidable_count(verdict) << " pixels are undecidable at eps = " << std::setprecision(3) << eps_px
+        << " px: so many triangles may be shown there that it would take too long; declare a finer precision "
+           "if it is finer, or choose a view in which float32 is";
     return text.str();
 }
 

@@ -15,19 +15,32 @@ constexpr double first_reach = 2;
 /// Pairs of a tile that are remembered.
 constexpr std::size_t coplanar_pairs = 256;
 
+/// What takes about as long as a cut of a region by a half-plane: to look where so many triangles lie, and to
+/// bound so many neighbours.
+constexpr std::size_t looks_per_cut = 16, neighbours_per_cut = 4;
+
 /// Half the side of the least square around the pixel's centre that meets the box.
 double distance_px_from(const Box& box, const PixelCoord& pixel) {
     const double px = pixel.x + 0.5, py = pixel.y + 0.5;
     return std::max({box.left - px, px - box.right, box.top - py, py - box.bottom, 0.0});
 }
 
+/// False, and nothing is left, where there is not so much.
+bool take(std::size_t work, std::size_t& left) {
+    const bool is_enough = work <= left;
+    left -= std::min(work, left);
+    return is_enough;
+}
+
 }  // namespace
 
-TileWork::TileWork(const Setting& setting, std::span<const std::uint32_t> near)
+TileWork::TileWork(const Setting& setting, std::span<const std::uint32_t> near, std::size_t most_work)
     : setting_(setting),
       triangles_(setting.scene, setting.view, setting.search, near),
       coplanar_(coplanar_pairs),
-      around_{.view = setting.view, .neighbours = {}} {}
+      around_{.view = setting.view, .neighbours = {}},
+      work_left_(most_work),
+      displacement_work_left_(most_work) {}
 
 std::vector<std::uint32_t> TileWork::triangles_within(double reach_px, const PixelCoord& pixel,
                                                       const ViewBounds& bounds) {
@@ -105,8 +118,27 @@ std::size_t TileWork::count_within(const PixelQuery& query, double reach_px) {
     return count;
 }
 
+/// Decides by what was gathered.
+void TileWork::decide_around(PrimitiveId answer, QueryResult& adjudicated) {
+    const std::size_t most_work = around_.most_work,
+                      at_least = around_.neighbours.size() / neighbours_per_cut;
+    around_.most_work = std::min(most_work, work_left_);
+    adjudicated = {zproof::decide(around_, answer, coplanar_), std::nullopt};
+    take(adjudicated.decision.work + at_least, work_left_);
+    if (setting_.asked == QueryDetail::displacement &&
+        adjudicated.decision.admissibility == Admissibility::visible &&
+        take(at_least, displacement_work_left_)) {
+        around_.most_work = std::min(most_work, displacement_work_left_);
+        const LeastDisplacement found = displacement_of(around_, answer, coplanar_);
+        adjudicated.displacement_over_eps = found.over_eps;
+        take(found.work, displacement_work_left_);
+    }
+    around_.most_work = most_work;
+}
+
 double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult& adjudicated) {
-    if (count_within(query, searched_px) > most_neighbours) {
+    if (!take(1 + triangles_.count() / looks_per_cut, work_left_) ||
+        count_within(query, searched_px) > most_neighbours) {
         adjudicated = {{Admissibility::undecidable, false, searched_px / first_reach}, std::nullopt};
         return 0;
     }
@@ -122,10 +154,7 @@ double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult
         std::erase_if(around_.neighbours,
                       [&](const Neighbour& n) { return PrimitiveId(n.triangle) != query.answer; });
     if (setting_.override) setting_.override(around_, query.answer);
-    adjudicated = {zproof::decide(around_, query.answer, coplanar_), std::nullopt};
-    if (setting_.asked == QueryDetail::displacement &&
-        adjudicated.decision.admissibility == Admissibility::visible)
-        adjudicated.displacement_over_eps = displacement_over_eps(around_, query.answer, coplanar_);
+    decide_around(query.answer, adjudicated);
     return 0;
 }
 

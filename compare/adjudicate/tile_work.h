@@ -1,6 +1,8 @@
 /// Queries about the pixels of one tile, decided one after the other among the triangles that come near it.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,8 +22,11 @@ class TileWork {
         QueryDetail asked;
         const RuleOverride& override;
     };
-    /// `near`: all triangles within the reach that will be asked for of any pixel that is.
-    TileWork(const Setting& setting, std::span<const std::uint32_t> near);
+    /// `near`: all triangles within the reach that will be asked for of any pixel that is. `most_work`, in
+    /// cuts of a region by a half-plane, may be spent on all queries together, and as much on displacements;
+    /// what is asked after that is undecidable.
+    TileWork(const Setting& setting, std::span<const std::uint32_t> near,
+             std::size_t most_work = std::numeric_limits<std::size_t>::max());
 
     /// Decides the query, where no triangle farther than searched_px from its centre can matter, and says 0.
     /// Otherwise the reach that it needs. Queries about one pixel should follow each other.
@@ -42,6 +47,7 @@ class TileWork {
     double eps_px_within(double reach_px, double own_eps_px) const;
     std::size_t count_within(const PixelQuery& query, double reach_px);
     void gather(double reach_px);
+    void decide_around(PrimitiveId answer, QueryResult& adjudicated);
     bool reaches_a_side() const;
 
     const Setting& setting_;
@@ -51,6 +57,7 @@ class TileWork {
     double seen_px_ = 0;  ///< so far
     std::vector<NearTriangle> seen_;
     Neighbourhood around_;  ///< of the query at hand
+    std::size_t work_left_, displacement_work_left_;
 };
 
 }  // namespace zproof

@@ -37,20 +37,27 @@ Admissibility of_triangle(AdmissibleSet<Number>& set, size_t index, size_t count
 }
 
 template <class Number>
-Admissibility admissibility_in(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& memory) {
-    AdmissibleSet<Number> set(around, memory);
+Admissibility admissibility_in(AdmissibleSet<Number>& set, const Neighbourhood& around, PrimitiveId answer) {
     const size_t count = around.neighbours.size();
-    if (answer == PrimitiveId::none) return of_background(set, count);
-    const std::optional<size_t> index = around.index_of(answer);
-    return index ? of_triangle(set, *index, count) : Admissibility::outside;
+    try {
+        if (answer == PrimitiveId::none) return of_background(set, count);
+        const std::optional<size_t> index = around.index_of(answer);
+        return index ? of_triangle(set, *index, count) : Admissibility::outside;
+    } catch (const TooMuchWork&) {
+        return Admissibility::undecidable;
+    }
 }
 
-/// By intervals, then by rationals. Throws TooMuchWork.
+/// By intervals, then by rationals.
 Decision decide_by_region(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar) {
+    AdmissibleSet<Interval> fast(around, coplanar);
     try {
-        return {admissibility_in<Interval>(around, answer, coplanar), false, around.eps_px};
+        const Admissibility found = admissibility_in(fast, around, answer);
+        return {found, false, around.eps_px, fast.work()};
     } catch (const UndecidedSign&) {
-        return {admissibility_in<LazyRational>(around, answer, coplanar), true, around.eps_px};
+        AdmissibleSet<LazyRational> exact(around, coplanar);
+        const Admissibility found = admissibility_in(exact, around, answer);
+        return {found, true, around.eps_px, fast.work() + exact.work()};
     }
 }
 
@@ -66,11 +73,7 @@ Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& 
         case ConservativeTest::Finding::undecided:
             break;
     }
-    try {
-        return decide_by_region(around, answer, coplanar);
-    } catch (const TooMuchWork&) {
-        return {Admissibility::undecidable, false, eps_px};
-    }
+    return decide_by_region(around, answer, coplanar);
 }
 
 PixelClass class_of(Admissibility candidate, Admissibility reference) {

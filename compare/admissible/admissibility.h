@@ -14,7 +14,7 @@ enum class Admissibility : std::uint8_t {
     clipped,          ///< the same, and the near or far plane cuts a triangle within eps
     tied,             ///< visible only thanks to the depth bounds
     through_a_crack,  ///< visible only where occluders abut without sharing an edge
-    undecidable,      ///< it would take more work than a pixel is given
+    undecidable,      ///< it would take more work than a pixel or its view is given
     hole,             ///< background, but covered for certain
     outside,          ///< the triangle does not reach the square
     hidden,           ///< occluded for certain
@@ -29,8 +29,9 @@ inline constexpr std::size_t most_neighbours = 65'536;
 
 struct Decision {
     Admissibility admissibility = Admissibility::visible;
-    bool exact = false;  ///< did double precision leave it to exact rationals?
-    double eps_px = 0;   ///< half-side of the square that it was decided in
+    bool exact = false;    ///< did double precision leave it to exact rationals?
+    double eps_px = 0;     ///< half-side of the square that it was decided in
+    std::size_t work = 0;  ///< that it took; see AdmissibleSet::work()
 };
 
 /// Decides one answer: a triangle's id, which must be among the neighbours if it is to be admissible, or

@@ -235,8 +235,8 @@ void AdmissibleSet<Number>::push_near_cut(std::vector<Piece>& pieces,
 
 template <class Number>
 void AdmissibleSet<Number>::spend(std::size_t work) {
-    spent_ += work;
-    if (spent_ > around_.most_work) throw TooMuchWork{};
+    work_ += work;
+    if (work_ > around_.most_work) throw TooMuchWork{};
 }
 
 template <class Number>

@@ -36,6 +36,9 @@ class AdmissibleSet {
     /// The neighbourhood and the cache must outlive the set.
     AdmissibleSet(const Neighbourhood& neighbourhood, CoplanarCache& coplanar);
 
+    /// What its answers took so far, in cuts of a region by a half-plane.
+    std::size_t work() const { return work_; }
+
     /// Another half-side than the neighbourhood's eps_px, from here on.
     void set_half_side(double half_side_px);
 
@@ -130,7 +133,7 @@ class AdmissibleSet {
                                         const HalfPlanes<Number>& half_planes);
 
     const Neighbourhood& around_;
-    std::size_t spent_ = 0;
+    std::size_t work_ = 0;
     double half_side_px_;
     ViewRay<Number> ray_;
     std::deque<Line<Number>> lines_;  ///< regions point at lines: all live as long as the set

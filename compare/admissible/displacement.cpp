@@ -25,6 +25,7 @@ class VisibleWithin {
         return !is_certain && is_estimated(half_side_px);
     }
     double likely_px() const { return test_.likely_displacement_px(); }
+    std::size_t work() const { return set_ ? set_->work() : 0; }
 
   private:
     bool is_estimated(double half_side_px) {
@@ -44,13 +45,11 @@ class VisibleWithin {
 
 /// What is seen in a square is seen in every larger one: by ever larger strides from the likely half-side,
 /// and then by bisection.
-std::optional<double> least_displacement(const Neighbourhood& around, PrimitiveId answer,
-                                         CoplanarCache& coplanar) {
-    VisibleWithin seen_within(around, answer, coplanar);
-    const auto is_seen = [&](int step) { return seen_within(around.eps_px * step / displacement_steps); };
+std::optional<double> least_displacement(VisibleWithin& seen_within, double eps_px) {
+    const auto is_seen = [&](int step) { return seen_within(eps_px * step / displacement_steps); };
     if (is_seen(1)) return std::nullopt;
     int too_small = 1, enough = displacement_steps, stride = 1;
-    const double likely_step = seen_within.likely_px() / around.eps_px * displacement_steps;
+    const double likely_step = seen_within.likely_px() / eps_px * displacement_steps;
     int step = int(std::min(std::max(too_small + 1.0, std::ceil(likely_step)), enough - 1.0));  // of NaN, too
     while (enough - too_small > 1) {
         const bool seen = is_seen(step);
@@ -64,12 +63,13 @@ std::optional<double> least_displacement(const Neighbourhood& around, PrimitiveI
 
 }  // namespace
 
-std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer,
-                                            CoplanarCache& coplanar) {
+LeastDisplacement displacement_of(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar) {
+    VisibleWithin seen_within(around, answer, coplanar);
     try {
-        return least_displacement(around, answer, coplanar);
+        const std::optional<double> over_eps = least_displacement(seen_within, around.eps_px);
+        return {over_eps, seen_within.work()};
     } catch (const TooMuchWork&) {
-        return std::nullopt;
+        return {std::nullopt, seen_within.work()};
     }
 }
 

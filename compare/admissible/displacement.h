@@ -7,15 +7,19 @@
 
 namespace zproof {
 
-/// The least half-side of a square around the centre in which the answer is seen, over eps_px of the
-/// neighbourhood; multiples of 1/1024, rounded down, so never 1 for an answer that is admissible by its
-/// place. Nothing where not even 1/1024 is needed: the answer is right at the centre, or it would take too
-/// much work. An estimate in double, for statistics; it decides nothing (docs/bounds.md, "Is the bound
-/// tight?").
+struct LeastDisplacement {
+    /// The least half-side of a square around the centre in which the answer is seen, over eps_px of the
+    /// neighbourhood; multiples of 1/1024, rounded down, so never 1 for an answer that is admissible by its
+    /// place. Nothing where not even 1/1024 is needed: the answer is right at the centre, or it would take
+    /// too much work.
+    std::optional<double> over_eps;
+    std::size_t work = 0;  ///< that it took; see AdmissibleSet::work()
+};
+
+/// An estimate in double, for statistics; it decides nothing (docs/bounds.md, "Is the bound tight?").
 ///
 /// For a triangle that misses the centre this is how far its corners must have moved; for one that others
 /// hide there, or for background, how far those others must have moved aside.
-std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer,
-                                            CoplanarCache& coplanar);
+LeastDisplacement displacement_of(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar);
 
 }  // namespace zproof

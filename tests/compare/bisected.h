@@ -9,7 +9,7 @@
 
 namespace zproof {
 
-/// What displacement_over_eps() should find. A triangle must be a neighbour.
+/// What displacement_of() should find. A triangle must be a neighbour.
 inline std::optional<double> bisected_displacement(const Neighbourhood& around, PrimitiveId answer) {
     CoplanarCache coplanar(16);
     AdmissibleSet<double> set(around, coplanar);

@@ -81,7 +81,7 @@ class Comparison {
     }
     void ask_for_displacement(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& memory) {
         if (decide(around, answer, memory).admissibility != Admissibility::visible) return;
-        const auto displacement = displacement_over_eps(around, answer, memory);
+        const auto displacement = displacement_of(around, answer, memory).over_eps;
         ASSERT_EQ(displacement, bisected_displacement(around, answer));
         moved += displacement.has_value();
     }

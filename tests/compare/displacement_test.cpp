@@ -109,7 +109,7 @@ TEST_P(Displacement, IsNotAskedOfTiesAndDefects) {
 }
 
 /// Two walls that meet beside the centre, before a third.
-TEST(DisplacementOverEps, IsTheLeastStepFromWhicheverStepItIsLookedFor) {
+TEST(DisplacementOf, IsTheLeastStepFromWhicheverStepItIsLookedFor) {
     const View view = pixel_view(Projection::parallel, 4, 4);
     const ViewBounds bounds(view, raster_precision());
     for (const int step : {1, 2, 3, 17, 511, 512, 513, 1022, 1023}) {
@@ -117,14 +117,14 @@ TEST(DisplacementOverEps, IsTheLeastStepFromWhicheverStepItIsLookedFor) {
         const Scene scene = scene_of(view, {wall_left_of(edge, 4), wall_right_of(edge, 4), wall(8)});
         const Neighbourhood around = surroundings(scene, view, bounds, {1, 1}, 0);
         CoplanarCache coplanar(16);
-        const auto found = displacement_over_eps(around, PrimitiveId(1), coplanar);
+        const auto found = displacement_of(around, PrimitiveId(1), coplanar).over_eps;
         EXPECT_EQ(found, bisected_displacement(around, PrimitiveId(1))) << step;
         const double expected = double(step - 1) / displacement_steps;
         EXPECT_NEAR(found.value_or(0), expected, 1.5 / displacement_steps) << step;
     }
 }
 
-TEST(DisplacementOverEps, IsWhatBisectionFindsWhateverIsCertainInDouble) {
+TEST(DisplacementOf, IsWhatBisectionFindsWhateverIsCertainInDouble) {
     int moved = 0, asked = 0;
     for (std::uint32_t seed = 0; seed < 1500; ++seed) {
         SCOPED_TRACE(seed);
@@ -134,7 +134,7 @@ TEST(DisplacementOverEps, IsWhatBisectionFindsWhateverIsCertainInDouble) {
         for (const Neighbour& n : s.around.neighbours) answers.push_back(PrimitiveId(n.triangle));
         for (const PrimitiveId answer : answers) {
             if (decide(s.around, answer, coplanar).admissibility != Admissibility::visible) continue;
-            const auto found = displacement_over_eps(s.around, answer, coplanar);
+            const auto found = displacement_of(s.around, answer, coplanar).over_eps;
             ASSERT_EQ(found, bisected_displacement(s.around, answer)) << int(answer);
             ++asked, moved += found.has_value();
         }

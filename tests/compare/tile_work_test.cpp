@@ -55,6 +55,37 @@ TEST_F(AQuery, MayBeOfATriangleThatIsNotNear) {
     EXPECT_NEAR(adjudicated.decision.eps_px, 0.5, 1e-9);
 }
 
+/// The third wall is hidden for certain, which only cuts tell.
+TEST_F(AQuery, IsUndecidableOnceTheWorkIsSpent) {
+    const PixelQuery hidden{&coarse, PrimitiveId(2), 8, 8}, visible{&coarse, PrimitiveId(1), 9, 8};
+    TileWork unlimited(setting, near);
+    unlimited.decide(hidden, 2, adjudicated);
+    const std::size_t enough = adjudicated.decision.work + 1;
+    EXPECT_GT(enough, 1u);
+    TileWork limited(setting, near, enough);
+    EXPECT_EQ(limited.decide(hidden, 2, adjudicated), 0);
+    EXPECT_EQ(adjudicated.decision.admissibility, Admissibility::hidden);
+    EXPECT_EQ(limited.decide(visible, 2, adjudicated), 0);
+    EXPECT_EQ(adjudicated.decision.admissibility, Admissibility::undecidable);
+    TileWork too_limited(setting, near, enough - 1);
+    EXPECT_EQ(too_limited.decide(hidden, 2, adjudicated), 0);
+    EXPECT_EQ(adjudicated.decision.admissibility, Admissibility::undecidable);
+}
+
+/// Statistics are not to change a verdict.
+TEST_F(AQuery, IsNotPaidForByDisplacements) {
+    TileWork::Setting for_admissibility{scene, view, rays, search, QueryDetail::admissibility, none};
+    for (std::size_t most_work = 0; most_work < 200; ++most_work) {
+        TileWork with(setting, near, most_work), without(for_admissibility, near, most_work);
+        for (int x = 7; x < 11; ++x) {
+            QueryResult by_with, by_without;
+            with.decide({&coarse, PrimitiveId(1), x, 8}, 2, by_with);
+            without.decide({&coarse, PrimitiveId(1), x, 8}, 2, by_without);
+            ASSERT_EQ(by_with.decision.admissibility, by_without.decision.admissibility) << most_work;
+        }
+    }
+}
+
 /// What was looked at for one renderer, one pixel or one reach is not taken for another's.
 TEST_F(AQuery, IsDecidedTheSameWhateverWasDecidedBefore) {
     const ViewBounds fine(view, raster_precision());
