@@ -125,15 +125,13 @@ void TileWork::decide_around(PrimitiveId answer, QueryResult& adjudicated) {
     around_.most_work = std::min(most_work, work_left_);
     adjudicated = {zproof::decide(around_, answer, coplanar_), std::nullopt};
     take(adjudicated.decision.work + at_least, work_left_);
-    if (setting_.asked == QueryDetail::displacement &&
-        adjudicated.decision.admissibility == Admissibility::visible &&
-        take(at_least, displacement_work_left_)) {
-        around_.most_work = std::min(most_work, displacement_work_left_);
-        const LeastDisplacement found = displacement_of(around_, answer, coplanar_);
-        adjudicated.displacement_over_eps = found.over_eps;
-        take(found.work, displacement_work_left_);
-    }
-    around_.most_work = most_work;
+    if (setting_.asked != QueryDetail::displacement) return;
+    if (adjudicated.decision.admissibility != Admissibility::visible) return;
+    if (!take(at_least, displacement_work_left_)) return;
+    around_.most_work = std::min(most_work, displacement_work_left_);
+    const LeastDisplacement found = displacement_of(around_, answer, coplanar_);
+    adjudicated.displacement_over_eps = found.over_eps;
+    take(found.work, displacement_work_left_);
 }
 
 double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult& adjudicated) {
@@ -153,6 +151,7 @@ double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult
     if (query.bounds->clips_at_sides() && reaches_a_side())
         std::erase_if(around_.neighbours,
                       [&](const Neighbour& n) { return PrimitiveId(n.triangle) != query.answer; });
+    around_.most_work = Neighbourhood{}.most_work;
     if (setting_.override) setting_.override(around_, query.answer);
     decide_around(query.answer, adjudicated);
     return 0;
