@@ -80,8 +80,8 @@ const std::vector<MethodSetting>& method_settings() {
          }},
         {"mip", "box, polyphase or lanczos3", "how smaller levels are made (polyphase)",
          [](Texturing& t, const std::string& s) { return set_word(t.options.mip_kernel, s, mip_words); }},
-        {"levels", "a file name with {level} in it, of which level 1 exists",
-         "files of levels 1 and on, instead of made ones",
+        {"levels", "a file with mip levels, or a name with {level} in it of which level 1 exists",
+         "levels 1 and on, instead of made ones",
          [](Texturing& t, const std::string& s) {
              t.options.given_levels = given_levels(s);
              return t.options.given_levels != nullptr;

@@ -9,9 +9,9 @@
 
 namespace zproof {
 
-/// Levels 1, 2 and on from files, up to the first that there is not; {level} in the name stands for the
-/// number. An .exr is linear light, anything else 8-bit sRGB. Null where the name has no {level}, or no file
-/// of level 1 exists. Throws what the reading of an image throws.
+/// Levels 1, 2 and on. {level} in the name stands for the number: files up to the first that there is not.
+/// Without it, the name is that of one file, and its mip levels are meant. Samples of half or float32 are
+/// linear light, others sRGB of 8 bits. Null where there is no level 1. Throws FrameError.
 std::shared_ptr<const std::vector<texture::LinearImage>> given_levels(const std::string& name);
 
 }  // namespace zproof

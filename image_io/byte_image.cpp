@@ -93,8 +93,9 @@ std::vector<std::byte> encode_png(const Plane<Rgb16>& picture) {
                "PNG in memory"));
 }
 
-Rgba8Image decode_rgba8(std::span<const unsigned char> bytes, int largest_side) {
-    const ImageFile input(bytes, "image in memory");
+namespace {
+
+Rgba8Image rgba8_of(const ImageFile& input, int largest_side) {
     const Resolution size = input.size_of(0);
     const std::vector<Channel>& channels = input.parts()[0].channels;
     if (size.width > largest_side || size.height > largest_side || channels.empty() || channels.size() > 4)
@@ -118,6 +119,21 @@ Rgba8Image decode_rgba8(std::span<const unsigned char> bytes, int largest_side) 
                              "; expected 8 or 16 bits");
     input.read(wanted);
     return image;
+}
+
+}  // namespace
+
+Rgba8Image decode_rgba8(std::span<const unsigned char> bytes, int largest_side) {
+    return rgba8_of(ImageFile(bytes, "image in memory"), largest_side);
+}
+
+Rgba8Image read_rgba8(const std::filesystem::path& file, int largest_side, int mip_level) {
+    return rgba8_of(ImageFile(file, "an image", mip_level), largest_side);
+}
+
+StoredImage stored_image(const std::filesystem::path& file) {
+    const ImageFile input(file, "an image");
+    return {input.parts()[0].mip_levels, is_real(input.channel({0, 0}).sample)};
 }
 
 Plane<Rgb16> read_rgb16(const std::filesystem::path& file, Resolution size) {

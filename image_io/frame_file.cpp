@@ -125,7 +125,8 @@ class StoredPlanes {
 /// An open file with the channels of a picture.
 class PictureFile {
   public:
-    explicit PictureFile(const fs::path& file) : file_(file, "an OpenEXR picture") {
+    explicit PictureFile(const fs::path& file, int mip_level = 0)
+        : file_(file, "an OpenEXR picture", mip_level) {
         for (const char* name : {"R", "G", "B"})
             places_.push_back(require(file_, {name, is_real, "float or half"}));
         size_ = file_.size_of(places_[0].part);
@@ -198,7 +199,7 @@ void write_frame(const fs::path& file, const Frame& frame) {
                         .pixels = samples.data()});
 }
 
-Picture read_picture(const fs::path& file) { return PictureFile(file).picture(); }
+Picture read_picture(const fs::path& file, int mip_level) { return PictureFile(file, mip_level).picture(); }
 
 Resolution picture_size(const fs::path& file) { return PictureFile(file).size(); }
 

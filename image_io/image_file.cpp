@@ -85,6 +85,7 @@ Format format_of(std::span<const unsigned char> first_bytes) {
         {"\xFF\xD8\xFF"sv, Format::jpeg},
         {"PF\n"sv, Format::pfm},
         {"Pf\n"sv, Format::pfm},
+        {"DDS "sv, Format::dds},
         {"\x93NUMPY"sv, Format::npy},
     };
     const std::string_view bytes(reinterpret_cast<const char*>(first_bytes.data()), first_bytes.size());
@@ -93,7 +94,8 @@ Format format_of(std::span<const unsigned char> first_bytes) {
     return Format::unknown;
 }
 
-ImageFile::ImageFile(const std::filesystem::path& file, const std::string& expected) : name_(file.string()) {
+ImageFile::ImageFile(const std::filesystem::path& file, const std::string& expected, int mip_level)
+    : name_(file.string()) {
     if (const std::string fault = fault_of_input(file); !fault.empty())
         throw FrameError(name_ + ": " + fault + "; expected " + expected);
     format_ = format_of(first_bytes_of(file));
@@ -102,20 +104,21 @@ ImageFile::ImageFile(const std::filesystem::path& file, const std::string& expec
     if (format_ == Format::npy)
         parts_.push_back(array_.emplace(file).part());
     else
-        open({});
+        open({}, mip_level);
 }
 
 ImageFile::ImageFile(std::span<const unsigned char> bytes, std::string name)
     : name_(std::move(name)), format_(format_of(bytes)) {
-    if (format_ == Format::unknown || format_ == Format::npy)
+    if (format_ == Format::unknown || format_ == Format::dds || format_ == Format::npy)
         throw FrameError(name_ + ": expected a PNG or JPEG image");
-    open(bytes);
+    open(bytes, 0);
 }
 
-void ImageFile::open(std::span<const unsigned char> bytes) {
+void ImageFile::open(std::span<const unsigned char> bytes, int mip_level) {
     const ModuleTable& images = module();
     try {
-        file_ = {images.open({.format = format_, .path = name_, .bytes = bytes}), images.close};
+        file_ = {images.open({.format = format_, .path = name_, .bytes = bytes, .mip_level = mip_level}),
+                 images.close};
         parts_ = images.parts(*file_);
     } catch (const std::runtime_error& e) {
         throw FrameError(name_ + ": cannot be read: " + e.what());

@@ -39,9 +39,9 @@ struct WantedChannel {
 
 class ImageFile {
   public:
-    /// Opens a file and reads its headers. Throws FrameError where it is missing, of no known format, or
-    /// broken. `expected` ends the sentence about a missing file: "an OpenEXR frame".
-    ImageFile(const std::filesystem::path& file, const std::string& expected);
+    /// Opens a file and reads the headers of that mip level. Throws FrameError where it is missing, of no
+    /// known format, or broken. `expected` ends the sentence about a missing file: "an OpenEXR frame".
+    ImageFile(const std::filesystem::path& file, const std::string& expected, int mip_level = 0);
     /// Opens a file in memory. `name` stands for it in errors.
     ImageFile(std::span<const unsigned char> bytes, std::string name);
 
@@ -59,7 +59,7 @@ class ImageFile {
     void read(std::span<const WantedChannel> channels) const;
 
   private:
-    void open(std::span<const unsigned char> bytes);
+    void open(std::span<const unsigned char> bytes, int mip_level);
     void read_part(int part, std::span<const WantedChannel> channels) const;
     void read_block(const Block& block, const std::string& channel, std::span<std::byte> to) const;
 

@@ -34,7 +34,7 @@ Resolution frame_size(const std::filesystem::path& file, IdChannel ids = IdChann
 void write_frame(const std::filesystem::path& file, const Frame& frame);
 
 /// Linear light: the channels R, G and B as half or float32. Black where the file has no data.
-Picture read_picture(const std::filesystem::path& file);
+Picture read_picture(const std::filesystem::path& file, int mip_level = 0);
 /// The size of that picture, from the headers alone.
 Resolution picture_size(const std::filesystem::path& file);
 /// What is said of a file within it: names and values, OpenEXR's string attributes.
@@ -64,6 +64,17 @@ struct Rgba8Image {
 /// Decodes a PNG or JPEG file in memory, of at most `largest_side` texels on either side. 16-bit channels are
 /// rounded to 8 bits, grey becomes three equal channels, missing alpha is 255.
 Rgba8Image decode_rgba8(std::span<const unsigned char> bytes, int largest_side);
+/// The same of a file, be it OpenEXR, TIFF or DDS, and of one of its mip levels.
+Rgba8Image read_rgba8(const std::filesystem::path& file, int largest_side, int mip_level = 0);
+
+/// How an image lies in its file.
+struct StoredImage {
+    int mip_levels = 1;  ///< OpenEXR, TIFF and DDS may have more than one
+    bool is_real;  ///< half or float32 samples, which are linear light; otherwise integers, which are sRGB
+};
+/// By the headers alone.
+StoredImage stored_image(const std::filesystem::path& file);
+
 /// A PNG with 8-bit RGBA, the same texels.
 std::vector<std::byte> encode_png(Resolution size, std::span<const std::uint8_t> rgba);
 

@@ -12,7 +12,7 @@
 
 namespace zproof::image_io {
 
-enum class Format { unknown, exr, tiff, png, jpeg, pfm, npy };
+enum class Format { unknown, exr, tiff, png, jpeg, pfm, dds, npy };
 
 /// Type of a sample as it lies in the file; `other` is none that zproof reads.
 enum class Sample { uint8, uint16, uint32, half, float32, int32, int64, float64, other };
@@ -36,13 +36,16 @@ struct Part {
     Samples samples = Samples::flat;
     int rows_at_once = 1;  ///< reads begin at a multiple of it, counted from the data window's top
     std::vector<Channel> channels;
+    int mip_levels = 1;  ///< at most most_mip_levels are counted
 };
+inline constexpr int most_mip_levels = 32;
 
 /// A file, or its bytes where there are any.
 struct Source {
     Format format = Format::unknown;
     std::string path;
     std::span<const unsigned char> bytes;
+    int mip_level = 0;  ///< that headers and samples are asked of
 };
 
 /// Rows of the data window, counted from its top, and neighbouring channels.
@@ -88,14 +91,14 @@ struct TextureLookup {
 class Textures;  ///< the module's own
 
 /// An interface of another number is not used.
-inline constexpr int interface_number = 3;
+inline constexpr int interface_number = 4;
 
 struct ModuleTable {
     int interface = interface_number;
     const char* version = "";  ///< OpenImageIO's
     OpenFile* (*open)(const Source& source) = nullptr;
     void (*close)(OpenFile* file) = nullptr;
-    /// The headers of all images in the file.
+    /// The headers of all images in the file that have the mip level.
     std::vector<Part> (*parts)(OpenFile& file) = nullptr;
     /// The samples of a block in their own types, packed as in Raster.
     void (*read)(OpenFile& file, const Block& block, void* to) = nullptr;

@@ -16,6 +16,7 @@ class OpenFile {
   public:
     std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;  ///< outlives the reader
     std::unique_ptr<OIIO::ImageInput> input;
+    int mip_level = 0;
 };
 
 namespace {
@@ -30,6 +31,8 @@ const char* plugin_of(Format format) {
             return "png";
         case Format::jpeg:
             return "jpeg";
+        case Format::dds:
+            return "dds";
         default:
             return "pnm";
     }
@@ -81,6 +84,7 @@ OIIO::TypeDesc type_of(Sample sample) {
 OpenFile* open(const Source& source) {
     work_on_callers_thread();
     auto file = std::make_unique<OpenFile>();
+    file->mip_level = source.mip_level;
     file->input = OIIO::ImageInput::create(plugin_of(source.format));
     if (!file->input) refuse(OIIO::geterror());
     OIIO::ImageSpec config, header;
@@ -108,23 +112,32 @@ Part part_of(const OIIO::ImageSpec& spec) {
     return part;
 }
 
+int mip_levels_of(OIIO::ImageInput& input, int part) {
+    int count = 1;
+    while (count < most_mip_levels && input.seek_subimage(part, count)) ++count;
+    return count;
+}
+
 std::vector<Part> parts(OpenFile& file) {
     std::vector<Part> all;
-    for (int i = 0; file.input->seek_subimage(i, 0); ++i) all.push_back(part_of(file.input->spec()));
+    for (int i = 0; file.input->seek_subimage(i, file.mip_level); ++i) {
+        all.push_back(part_of(file.input->spec()));
+        all.back().mip_levels = mip_levels_of(*file.input, i);
+    }
     file.input->geterror();  // that there is no further image is no fault
     return all;
 }
 
 void read(OpenFile& file, const Block& block, void* to) {
     OIIO::ImageInput& input = *file.input;
-    const OIIO::ImageSpec spec = input.spec_dimensions(block.part, 0);
+    const OIIO::ImageSpec spec = input.spec_dimensions(block.part, file.mip_level);
     const int top = spec.y + block.first_row, end = top + block.row_count;
     const int first = block.first_channel, last = first + block.channel_count;
-    const bool done =
-        spec.tile_width > 0
-            ? input.read_tiles(block.part, 0, spec.x, spec.x + spec.width, top, end, spec.z, spec.z + 1,
-                               first, last, OIIO::TypeUnknown, to)
-            : input.read_scanlines(block.part, 0, top, end, spec.z, first, last, OIIO::TypeUnknown, to);
+    const bool done = spec.tile_width > 0
+                          ? input.read_tiles(block.part, file.mip_level, spec.x, spec.x + spec.width, top,
+                                             end, spec.z, spec.z + 1, first, last, OIIO::TypeUnknown, to)
+                          : input.read_scanlines(block.part, file.mip_level, top, end, spec.z, first, last,
+                                                 OIIO::TypeUnknown, to);
     // Some readers go on after an error that their own library reported.
     if (!done || input.has_error()) refuse(input.geterror());
 }

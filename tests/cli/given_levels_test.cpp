@@ -1,0 +1,107 @@
+// Mip chains that a user brings: as one image per level, or as one file.
+#include "cli/given_levels.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+
+#include "frame/frame_error.h"
+#include "image_io/image_io.h"
+#include "tests/cli/program.h"
+#include "tests/frame/scratch_folder.h"
+
+namespace zproof::test {
+namespace {
+
+using testing::HasSubstr;
+using texture::LinearImage;
+
+constexpr int side = 16;
+
+std::uint8_t grey_of_level(int level) { return std::uint8_t(10 + 40 * level); }
+
+/// Uncompressed R8G8B8A8, each level of its own grey, by Microsoft's description of the file: a magic word, a
+/// header of 124 bytes, the levels one after the other.
+std::string grey_dds() {
+    std::array<std::uint32_t, 32> words{};
+    words[0] = 0x20534444;       // "DDS "
+    words[1] = 124;              // bytes of the header
+    words[2] = 0x0002100F;       // caps, height, width, pitch, pixel format, mip map count
+    words[3] = words[4] = side;  // height, width
+    words[5] = 4 * side;         // pitch
+    words[7] = std::bit_width(std::uint32_t{side});
+    words[19] = 32, words[20] = 0x41;  // pixel format: its bytes; RGB with alpha
+    words[22] = 32;                    // bits of a pixel
+    words[23] = 0x000000FF, words[24] = 0x0000FF00, words[25] = 0x00FF0000, words[26] = 0xFF000000;
+    words[27] = 0x00401008;  // texture, mip map, complex
+    std::string file(reinterpret_cast<const char*>(words.data()), sizeof words);
+    for (int level = 0; side >> level >= 1; ++level) {
+        const char grey = char(grey_of_level(level));
+        for (int i = 0; i < (side >> level) * (side >> level); ++i) file += {grey, grey, grey, '\xFF'};
+    }
+    return file;
+}
+
+class GivenLevels : public testing::Test {
+  protected:
+    std::string path(const std::string& name) const { return (folder.path() / name).string(); }
+    Folder folder;
+};
+
+void expect_same(const std::vector<LinearImage>& found, const std::vector<LinearImage>& expected) {
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_EQ(found[i].width, expected[i].width);
+        EXPECT_EQ(found[i].height, expected[i].height);
+        EXPECT_EQ(found[i].texels, expected[i].texels) << "level " << i + 1;
+    }
+}
+
+TEST_F(GivenLevels, OfOneFileAreThoseOfAFilePerLevel) {
+    for (int level = 1; side >> level >= 1; ++level) {
+        const std::uint8_t grey = grey_of_level(level);
+        write_png(folder.path() / ("l" + std::to_string(level) + ".png"),
+                  Plane<Rgb8>(Resolution{side >> level, side >> level}, Rgb8{grey, grey, grey}));
+    }
+    folder.write("chain.dds", grey_dds());
+    const auto in_files = given_levels(path("l{level}.png")), in_one = given_levels(path("chain.dds"));
+    ASSERT_TRUE(in_files && in_one);
+    EXPECT_EQ(in_files->size(), 4u);
+    expect_same(*in_one, *in_files);
+}
+
+/// maketx writes TIFF and OpenEXR in tiles, with all levels.
+TEST_F(GivenLevels, OfTiffAndOpenExrAreReadToo) {
+    write_png(folder.path() / "grey.png", Plane<Rgb8>(Resolution{side, side}, Rgb8{90, 90, 90}));
+    write_picture(folder.path() / "grey.exr", Picture(Resolution{side, side}, LinearRgb{0.25f, 2, 0.125f}));
+    for (const char* made :
+         {"maketx --format tiff -o tiff.tx grey.png", "maketx --format exr -o exr.tx grey.exr"})
+        ASSERT_EQ(std::system(("cd " + folder.path().string() + " && " + made + " > /dev/null").c_str()), 0);
+    const auto bytes = given_levels(path("tiff.tx")), reals = given_levels(path("exr.tx"));
+    ASSERT_TRUE(bytes && reals);
+    ASSERT_EQ(bytes->size(), 4u);
+    ASSERT_EQ(reals->size(), 4u);
+    const std::array<std::uint8_t, 4> texel{90, 90, 90, 255};
+    EXPECT_EQ(bytes->at(3).texels.at(0), texture::linear_image({1, 1, texel}).texels.at(0));
+    EXPECT_EQ(reals->at(3).texels.at(0), glm::vec4(0.25f, 2, 0.125f, 1));
+}
+
+TEST_F(GivenLevels, AreNoneWhereThereIsNoLevelOne) {
+    write_png(folder.path() / "one.png", Plane<Rgb8>(Resolution{4, 4}, Rgb8{1, 2, 3}));
+    for (const char* name : {"one.png", "none.png", "l{level}.png"})
+        EXPECT_FALSE(given_levels(path(name))) << name;
+}
+
+TEST_F(GivenLevels, OfABrokenFileAreRefused) {
+    folder.write("cut.dds", grey_dds().substr(0, 400));
+    EXPECT_THAT(complaint<FrameError>([&] { given_levels(path("cut.dds")); }), HasSubstr("cut.dds"));
+    folder.write("l1.png", "no image");
+    EXPECT_THAT(complaint<FrameError>([&] { given_levels(path("l{level}.png")); }), HasSubstr("l1.png"));
+}
+
+}  // namespace
+}  // namespace zproof::test
