@@ -49,4 +49,12 @@ double distance_outside(const LinearRgb& colour, const LinearRgb& least, const L
                      of(colour.b, least.b, greatest.b)});
 }
 
+std::uint64_t pixels_outside(const Picture& picture, const PermittedInterval& permitted) {
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i < picture.pixels().size(); ++i)
+        count += distance_outside(picture.pixels()[i], permitted.least.pixels()[i],
+                                  permitted.greatest.pixels()[i]) > 0;
+    return count;
+}
+
 }  // namespace zproof

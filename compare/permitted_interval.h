@@ -20,4 +20,7 @@ PermittedInterval permitted_interval(const Picture& picture, const PixelReferenc
 /// finite or no float32 is permitted.
 double distance_outside(const LinearRgb& colour, const LinearRgb& least, const LinearRgb& greatest);
 
+/// Pixels of the picture that are outside.
+std::uint64_t pixels_outside(const Picture& picture, const PermittedInterval& permitted);
+
 }  // namespace zproof

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -100,10 +101,12 @@ class FilterStudyRun {
         ViewEvidenceWriter evidence;
         std::optional<EvidenceFiles> files;
         if (arguments_.writes_evidence) files.emplace(folder_ / home, provenance);
+        std::map<std::string, study::ClaimCount> claims;
         const auto tell_claim = [&](const PictureClaim& claim, const std::string& what,
                                     const Picture& picture) {
             const PermittedInterval permitted = permitted_by(claim.claim, picture, scene, view);
             const ClaimedPicture claimed{what, claim.method.typed, claim.promise, picture, permitted};
+            claims[what] = {claim.method.typed, claim.promise, pixels_outside(picture, permitted)};
             evidence.claim(claimed);
             if (files) files->claim(claimed);
         };
@@ -132,7 +135,11 @@ class FilterStudyRun {
         std::move(evidence).write(folder_ / home,
                                   {facts.word, facts.name, scene, view, plan_, arguments_.pictures});
         one.truth_file = home + "truth.exr";
-        for (study::MethodScore& method : one.methods) method.file = home + file_stem(method.label) + ".exr";
+        for (study::MethodScore& method : one.methods) {
+            method.file = home + file_stem(method.label) + ".exr";
+            if (const auto claim = claims.find(method.label); claim != claims.end())
+                method.claim = claim->second;
+        }
         return one;
     }
 
@@ -209,7 +216,8 @@ ExitCode execute(const FiltersRunArguments& arguments) {
     write_filters_figures({.study = out.working(), .figures = out.working()}, results, {});
     const std::filesystem::path place =
         publish(out, arguments.common, results.is_complete ? Completeness::full : Completeness::partial);
-    if (!arguments.common.is_quiet()) std::cout << filters_table(results, {"interior"}) << "\n";
+    if (!arguments.common.is_quiet())
+        std::cout << filters_table(results, {"interior"}) << claim_lines(results) << "\n";
     std::cout << "study: " << one_line((place / "filters.html").string()) << "\n";
     return conclusion(results, share);
 }

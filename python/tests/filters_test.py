@@ -72,6 +72,16 @@ def test_check_of_the_methods_own_picture(ground, tmp_path):
     assert str(check).startswith("FAILED") or "outside" in check.text
 
 
+def test_a_claim_is_counted(ground):
+    grey = np.full((32, 48, 3), 0.25, np.float32)
+    outside = filters.run(["nearest"], *ground, pictures={"grey": grey}, claims={"grey": "bilinear"}).outside
+    [(key, pixels)] = outside.items()
+    assert key[2] == "grey" and 0 < pixels <= 48 * 32
+    lenient = filters.run(["nearest"], *ground, pictures={"grey": grey}, claims={"grey": "bilinear"},
+                          precision="gpu,weight_bits=1").outside[key]
+    assert lenient < pixels
+
+
 @pytest.mark.parametrize("picture, message", [
     (np.zeros((32, 48, 3)), "picture is float64 (32, 48, 3); expected float32"),
     (np.zeros((32, 48), np.float32), "picture is float32 (32, 48); expected float32 (height, width, 3)"),

@@ -3,6 +3,7 @@ looked for on PATH, or is the one that ZPROOF_PROGRAM names."""
 
 import contextlib
 import csv
+import json
 import os
 import re
 import subprocess
@@ -19,9 +20,11 @@ _WHOLE_NUMBERS = {"width", "height"}
 
 class Table(dict):
     """A study's figures: {column: numpy array}, a row for each scene, view, method and region. `folder` is where the
-    study lies, with its pictures and page; None where it was not kept."""
+    study lies, with its pictures and page; None where it was not kept. `outside` counts the pixels of pictures with a
+    claim that their method does not permit: {(scene, view, picture): pixels}."""
 
     folder = None
+    outside = {}
 
     def __len__(self):
         """Rows."""
@@ -33,7 +36,7 @@ class Table(dict):
         for column, value in wanted.items():
             chosen &= self[column] == value
         part = Table({name: values[chosen] for name, values in self.items()})
-        part.folder = self.folder
+        part.folder, part.outside = self.folder, self.outside
         return part
 
 
@@ -61,13 +64,15 @@ def truth(scene, view, reconstruction="B", *, half_width=False):
     return (mean, half) if half_width else mean
 
 
-def run(methods, scene, view=None, *, pictures=None, truth="B", size=None, flicker=0, folder=None):
+def run(methods, scene, view=None, *, pictures=None, claims=None, precision=None, truth="B", size=None, flicker=0,
+        folder=None):
     """A study: methods and pictures of one's own, held against the truth.
 
     methods: a list of names with settings, ["nearest", "trilinear-gl:bias=0.5"] (`zproof filters list`).
     scene: a Scene with uv and texture, then with a view; or the name of a filter scene or a model file, then with the
     name of a view or None for all.
     pictures: {name: float32 (height, width, 3)}, linear light, of one view. truth: as in truth().
+    claims: {name of a picture: the method that it claims to be of}; `precision`, as in check(), is promised of them.
     size: (width, height) of named scenes. flicker: further views, each a fraction of a pixel on.
     folder: where to keep the study; None: nowhere.
 
@@ -80,9 +85,14 @@ def run(methods, scene, view=None, *, pictures=None, truth="B", size=None, flick
             raise TypeError(f"pictures is a {type(pictures).__name__}; expected a dict of names and arrays")
         for name, picture in (pictures or {}).items():
             words += ["--picture", f"{name}={_picture_file(picture, scratch, name)}"]
+        for name, method in (claims or {}).items():
+            words += ["--claim", f"{name}={method}"]
+        if precision is not None:
+            words += ["--precision", precision]
         _program(words, {0})
         table = _table(os.path.join(out, "filters.csv"))
         table.folder = None if folder is None else out
+        table.outside = _pixels_outside(os.path.join(out, "filters.json"))
         return table
 
 
@@ -145,6 +155,13 @@ def _program(words, expected):
         last = done.stderr.strip() or done.stdout.strip()
         raise RuntimeError(f"zproof {words[0]} {words[1]}: exit status {done.returncode}: {last}")
     return done
+
+
+def _pixels_outside(file):
+    with open(file, encoding="utf-8") as text:
+        views = json.load(text)["views"]
+    return {(view["scene"], view["view"], method["method"]): method["claim"]["pixels_outside"]
+            for view in views for method in view["methods"] if "claim" in method}
 
 
 def _table(file):

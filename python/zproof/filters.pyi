@@ -11,6 +11,7 @@ _Picture = NDArray[np.float32] | _Tensor
 
 class Table(dict[str, NDArray[Any]]):
     folder: str | None
+    outside: dict[tuple[str, str, str], int]
     def __len__(self) -> int: ...
     def rows(self, **wanted: object) -> Table: ...
     def _repr_html_(self) -> str: ...
@@ -35,6 +36,8 @@ def run(
     view: View | str | None = None,
     *,
     pictures: Mapping[str, _Picture] | None = None,
+    claims: Mapping[str, str] | None = None,
+    precision: str | None = None,
     truth: str = "B",
     size: tuple[int, int] | None = None,
     flicker: int = 0,

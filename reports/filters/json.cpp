@@ -47,14 +47,19 @@ Json json_of(const Cost& cost) {
 Json json_of(const MethodScore& method, const std::vector<MetricCard>& metrics) {
     Json regions = Json::array();
     for (const RegionScore& score : method.regions) regions.push_back(json_of(score, metrics));
-    return {{"method", method.label},
-            {"file", method.file},
-            {"cost", json_of(method.cost)},
-            {"flicker",
-             {{"rms", number(method.flicker.rms)},
-              {"ratio", number(method.flicker.ratio)},
-              {"steps", method.flicker.steps}}},
-            {"regions", regions}};
+    Json json{{"method", method.label},
+              {"file", method.file},
+              {"cost", json_of(method.cost)},
+              {"flicker",
+               {{"rms", number(method.flicker.rms)},
+                {"ratio", number(method.flicker.ratio)},
+                {"steps", method.flicker.steps}}},
+              {"regions", regions}};
+    if (method.claim)
+        json["claim"] = {{"method", method.claim->method},
+                         {"promise", method.claim->promise},
+                         {"pixels_outside", method.claim->pixels_outside}};
+    return json;
 }
 
 Json json_of(const ViewStudy& view, const std::vector<MetricCard>& metrics) {
@@ -114,6 +119,11 @@ MethodScore method_score(const Json& json, const std::vector<MetricCard>& metric
                                    whole_number<int>(flicker.at("steps"))},
                        .file = json.at("file")};
     for (const Json& one : json.at("regions")) method.regions.push_back(region_score(one, metrics));
+    if (json.contains("claim")) {
+        const Json& claim = json.at("claim");
+        method.claim = {claim.at("method"), claim.at("promise"),
+                        whole_number<std::uint64_t>(claim.at("pixels_outside"))};
+    }
     return method;
 }
 

@@ -162,6 +162,8 @@ std::string section_of(const StudyResults& results, const ViewStudy& view, const
     for (const MissingPicture& one : view.missing)
         text += "<p class=\"reason\"><strong>" + escaped(one.label) +
                 "</strong> has no picture of this view: " + escaped(one.reason) + "</p>\n";
+    for (const MethodScore& method : view.methods)
+        if (method.claim) text += "<p class=\"reason\">" + escaped(claim_words(method)) + "</p>\n";
     return text + "<div class=\"truth\">" + page_figure(figures.truth.data, figures.truth.caption) +
            "</div>\n" + tables_of(results, view) + crops_of(figures) + plots_of(figures.plots) +
            "</section>\n";

@@ -130,6 +130,20 @@ std::string filters_table(const StudyResults& results, const TableChoice& choice
     return text;
 }
 
+std::string claim_words(const MethodScore& picture) {
+    const ClaimCount& claim = picture.claim.value();
+    return picture.label + " has " + counted(claim.pixels_outside, "pixel") + " outside what " +
+           claim.method + " permits" + (claim.promise.empty() ? "" : ", promising " + claim.promise);
+}
+
+std::string claim_lines(const StudyResults& results) {
+    std::string text;
+    for (const ViewStudy& view : results.views)
+        for (const MethodScore& method : view.methods)
+            if (method.claim) text += view.scene + " / " + view.view + ": " + claim_words(method) + "\n";
+    return text;
+}
+
 std::string filters_latex(const StudyResults& results, const TableChoice& choice) {
     std::string text = "% \\usepackage{booktabs}; " + truth_in_words(results.truth) + "\n";
     for (const ViewStudy& view : results.views) text += latex_table(table_cells(results, view, choice));

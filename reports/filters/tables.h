@@ -17,6 +17,12 @@ std::string filters_csv(const study::StudyResults& results);
 /// apart share a rank.
 std::string filters_table(const study::StudyResults& results, const TableChoice& choice);
 
+/// "mine has 12 pixels outside what trilinear-gl permits, promising gpu"; of a picture with a claim.
+std::string claim_words(const study::MethodScore& picture);
+
+/// Such a line for each view and picture with a claim.
+std::string claim_lines(const study::StudyResults& results);
+
 /// The tables as LaTeX with booktabs, as wide as the text; a table environment per view.
 std::string filters_latex(const study::StudyResults& results, const TableChoice& choice);
 

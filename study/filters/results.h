@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,12 +48,19 @@ struct Flicker {
     int steps = 0;  ///< 0: not measured
 };
 
+/// What a picture claims to be, and what that method says of it, pixel by pixel.
+struct ClaimCount {
+    std::string method, promise;       ///< as typed; promise empty: that of zproof's own filters
+    std::uint64_t pixels_outside = 0;  ///< of the whole picture: what the method does not permit
+};
+
 struct MethodScore {
     std::string label;
     std::vector<RegionScore> regions;  ///< the same regions, in the same order, for every method of a view
     Cost cost;
     Flicker flicker;
     std::string file;  ///< its picture, relative to the study's folder
+    std::optional<ClaimCount> claim{};
 };
 
 /// A picture that is missing, and why.

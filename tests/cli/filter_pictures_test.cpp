@@ -116,6 +116,15 @@ TEST_F(FilterPictures, ShowWhatTheMethodPermitsThatTheyClaimToBe) {
                                                 "gpu,lod_bits=6");
     EXPECT_FALSE(
         std::filesystem::exists(folder_.path() / "study/pictures/worked-phi-0/nearest-permitted.exr"));
+    const auto& claim = results.views.at(0).methods.at(2).claim;
+    ASSERT_TRUE(claim);
+    EXPECT_EQ(claim->method, "trilinear-gl:bias=0.5");
+    EXPECT_EQ(claim->promise, "gpu,lod_bits=6");
+    EXPECT_GT(claim->pixels_outside, 0u);
+    const std::string words = "theirs has " + std::to_string(claim->pixels_outside) +
+                              " pixels outside what trilinear-gl:bias=0.5 permits, promising gpu,lod_bits=6";
+    EXPECT_NE(ran.out.find("worked / phi-0: " + words), std::string::npos) << ran.out;
+    EXPECT_NE(folder_.read("study/filters.html").find(words), std::string::npos);
 }
 
 TEST_F(FilterPictures, ClaimOnlyWhatCanBeChecked) {
