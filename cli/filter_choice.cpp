@@ -130,6 +130,16 @@ void apply(Texturing& texturing, const std::string& part, const std::string& wor
                          text + "'"};
 }
 
+void require_heeded(const study::OtherSampler& other, const std::string& part, const std::string& word) {
+    std::string heeded;
+    for (const std::string& key : other.settings) {
+        if (part.starts_with(key + "=")) return;
+        heeded += (heeded.empty() ? "" : ", ") + key;
+    }
+    throw UsageError{"filter '" + word + "': '" + part + "': of this sampler of others one sets only " +
+                     heeded};
+}
+
 }  // namespace
 
 FilterChoice filter_choice(const std::string& word) {
@@ -144,9 +154,7 @@ FilterChoice study_choice(const std::string& word) {
     FilterChoice choice{word, {.method = method_called(parts.empty() ? "" : parts[0])}};
     choice.other = study::find_other_sampler(choice.texturing.method.name);
     for (std::size_t i = 1; i < parts.size(); ++i)
-        if (choice.other != nullptr && !parts[i].starts_with("max-anisotropy="))
-            throw UsageError{"filter '" + word + "': '" + parts[i] +
-                             "': a sampler of others takes max-anisotropy alone"};
+        if (choice.other != nullptr) require_heeded(*choice.other, parts[i], word);
     for (std::size_t i = 1; i < parts.size(); ++i) apply(choice.texturing, parts[i], word);
     const texture::FilterOptions& options = choice.texturing.options;
     if (options.lod_min > options.lod_max)

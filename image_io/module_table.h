@@ -86,12 +86,14 @@ struct TextureLookup {
     MipMode mip = MipMode::none;
     int max_anisotropy = 16;
     float s = 0, t = 0, ds_per_x = 0, dt_per_x = 0, ds_per_y = 0, dt_per_y = 0;
+    /// In [0, 1): it chooses one level and one probe instead of all. Negative: all are read.
+    float random = -1;
 };
 
 class Textures;  ///< the module's own
 
 /// An interface of another number is not used.
-inline constexpr int interface_number = 4;
+inline constexpr int interface_number = 5;
 
 struct ModuleTable {
     int interface = interface_number;

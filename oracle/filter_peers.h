@@ -9,9 +9,11 @@
 namespace zproof::oracle {
 
 enum class PeerFilter {
-    bilinear,     ///< level 0 alone
-    trilinear,    ///< one place, two levels
-    anisotropic,  ///< several places along the footprint's longer axis
+    bilinear,                ///< level 0 alone
+    trilinear,               ///< one place, two levels
+    anisotropic,             ///< several places along the footprint's longer axis
+    stochastic_trilinear,    ///< of OpenImageIO alone: one level, chosen by chance
+    stochastic_anisotropic,  ///< the same: one level and one place
 };
 
 /// What OpenGL is asked for.
@@ -32,8 +34,9 @@ FilterPrecision opengl_filter_precision();
 
 /// OpenImageIO's TextureSystem, with a mip chain made by its own make_texture (box) from the decoded float32
 /// texels, bilinear interpolation and the conservative filter. It is given, in float32, the texture
-/// coordinates and steps that each pixel of the frame sees. On the threads of the surrounding
-/// tbb::task_arena. Throws OracleError in its words.
+/// coordinates and steps that each pixel of the frame sees. Of a stochastic filter it is the mean of
+/// settings.samples lookups, each by a number that is a hash of settings.seed, pixel and sample. On the
+/// threads of the surrounding tbb::task_arena. Throws OracleError in its words.
 Picture openimageio_filtered(const Scene& scene, const View& view, const Frame& frame, PeerFilter filter,
                              const FilterSettings& settings);
 /// What is declared for it: float32 throughout.

@@ -3,6 +3,7 @@
 #include "frame/filter_precision_presets.h"
 #include "frame/frame_error.h"
 #include "image_io/texture_system.h"
+#include "math/mixed.h"
 #include "oracle/filter_peers.h"
 #include "oracle/oracle_error.h"
 #include "oracle/scratch_folder.h"
@@ -20,8 +21,26 @@ image_io::Repeat repeat_of(Wrap wrap) {
 }
 
 image_io::MipMode mip_mode_of(PeerFilter filter) {
-    if (filter == PeerFilter::bilinear) return image_io::MipMode::none;
-    return filter == PeerFilter::trilinear ? image_io::MipMode::trilinear : image_io::MipMode::anisotropic;
+    switch (filter) {
+        case PeerFilter::bilinear:
+            return image_io::MipMode::none;
+        case PeerFilter::trilinear:
+        case PeerFilter::stochastic_trilinear:
+            return image_io::MipMode::trilinear;
+        default:
+            return image_io::MipMode::anisotropic;
+    }
+}
+
+bool is_stochastic(PeerFilter filter) {
+    return filter == PeerFilter::stochastic_trilinear || filter == PeerFilter::stochastic_anisotropic;
+}
+
+/// In [0, 1): white noise.
+float random_number(std::uint32_t seed, int x, int y, int sample) {
+    std::uint64_t hash = seed;
+    for (const int part : {x, y, sample}) hash = mixed(hash ^ std::uint64_t(part));
+    return float(hash >> 40) * 0x1p-24f;
 }
 
 /// The footprint's middles as float32, where the image is the unit square. `size` is the texture's, texels.
@@ -62,7 +81,7 @@ struct Painter {
     const View& view;
     const SceneTextures& textures;
     PeerFilter filter;
-    int max_anisotropy;
+    const FilterSettings& settings;
 
     LinearRgb colour_at(int x, int y, PrimitiveId id) const {
         const Material& material = filter_reference::material_of(scene, std::uint32_t(id));
@@ -75,12 +94,23 @@ struct Painter {
                                            .along_s = repeat_of(texture.sampler.wrap_u),
                                            .along_t = repeat_of(texture.sampler.wrap_v),
                                            .mip = mip_mode_of(filter),
-                                           .max_anisotropy = max_anisotropy};
+                                           .max_anisotropy = settings.max_anisotropy};
             set_footprint(lookup, seen.footprint(x, y, StepRule::analytic),
                           glm::dvec2{triangle.texture_size});
-            colour *= textures.read(lookup);
+            colour *= read(lookup, x, y);
         }
         return {float(colour.r), float(colour.g), float(colour.b)};
+    }
+
+  private:
+    glm::dvec3 read(image_io::TextureLookup& lookup, int x, int y) const {
+        if (!is_stochastic(filter)) return textures.read(lookup);
+        glm::dvec3 sum{};
+        for (int sample = 0; sample < settings.samples; ++sample) {
+            lookup.random = random_number(settings.seed, x, y, sample);
+            sum += textures.read(lookup);
+        }
+        return sum / double(settings.samples);
     }
 };
 
@@ -90,7 +120,7 @@ Picture openimageio_filtered(const Scene& scene, const View& view, const Frame& 
                              const FilterSettings& settings) {
     try {
         const SceneTextures textures{scene};
-        const Painter painter{scene, view, textures, filter, settings.max_anisotropy};
+        const Painter painter{scene, view, textures, filter, settings};
         Picture drawn{frame.size()};
         tbb::parallel_for(0, view.height, [&](int y) {
             for (int x = 0; x < view.width; ++x)

@@ -9,9 +9,9 @@ study::ConfiguredMethod configured(const FilterChoice& choice) {
     if (choice.other == nullptr) return method;
     if (const std::string absence = choice.other->absence(); !absence.empty())
         throw OracleError{choice.typed + ": " + absence};
-    method.paint = [paint = choice.other->paint, most = choice.texturing.options.max_anisotropy](
+    method.paint = [paint = choice.other->paint, options = choice.texturing.options](
                        const Scene& scene, const View& view, const Frame& frame) {
-        return paint(scene, view, frame, most);
+        return paint(scene, view, frame, options);
     };
     return method;
 }

@@ -12,6 +12,11 @@ namespace zproof::image_io {
 /// A texture system of its own, whose caches nobody else sees.
 class Textures {
   public:
+    Textures() {
+        constexpr int level = 1, probe = 2;
+        system->attribute("stochastic", level | probe);  // of lookups with a random number
+    }
+
     std::shared_ptr<OIIO::TextureSystem> system{
         OIIO::TextureSystem::create(false), [](OIIO::TextureSystem* s) { OIIO::TextureSystem::destroy(s); }};
     std::vector<OIIO::ustring> files;
@@ -33,6 +38,7 @@ OIIO::TextureOpt options_of(const TextureLookup& lookup) {
                       : lookup.mip == MipMode::trilinear ? OIIO::TextureOpt::MipModeTrilinear
                                                          : OIIO::TextureOpt::MipModeNoMIP;
     options.anisotropic = lookup.max_anisotropy;
+    options.rnd = lookup.random;
     return options;
 }
 

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "frame/picture.h"
 #include "rasterizer/texturing.h"
@@ -10,13 +11,15 @@
 namespace zproof::study {
 
 struct OtherSampler {
-    texture::Method method;    ///< name and card; it prepares no sampler of ours
-    std::string (*absence)();  ///< why it cannot be asked on this machine; empty: it can
-    /// Heeds only max_anisotropy of the settings. Throws OracleError.
-    Picture (*paint)(const Scene& scene, const View& view, const Frame& frame, int max_anisotropy);
+    texture::Method method;             ///< name and card; it prepares no sampler of ours
+    std::string (*absence)();           ///< why it cannot be asked on this machine; empty: it can
+    std::vector<std::string> settings;  ///< that it heeds, as they are typed
+    /// Throws OracleError.
+    Picture (*paint)(const Scene& scene, const View& view, const Frame& frame,
+                     const texture::FilterOptions& options);
 };
 
-/// oiio-trilinear, oiio-aniso, opengl-trilinear, opengl-aniso.
+/// OpenImageIO's and OpenGL's.
 std::span<const OtherSampler> other_samplers();
 
 /// The sampler of this name, or null.

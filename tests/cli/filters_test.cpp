@@ -178,7 +178,7 @@ TEST(Filters, WhatIsMistypedIsNamedWithWhatIsNear) {
     refused({"filters", "figure", "study", "--crop", "1,2,3"}, "expected X,Y,WIDTH,HEIGHT");
     refused({"filters", "check"}, "METHODS");
     refused({"filters", "check", "oiio-aniso", "worked"}, "draws only in 'zproof filters run'");
-    refused({"filters", "run", "worked", "--methods", "oiio-aniso:bias=1"}, "takes max-anisotropy alone");
+    refused({"filters", "run", "worked", "--methods", "oiio-aniso:bias=1"}, "one sets only max-anisotropy");
     refused({"filters", "check", "nearst", "worked"}, "did you mean 'nearest'?");
     refused({"filters", "check", "nearest", "worked", "--precision", "lod_bit=8"},
             "did you mean 'lod_bits'?");
