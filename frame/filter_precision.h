@@ -40,7 +40,7 @@ struct FilterPrecision {
     double tap_bits = exact;      ///< where the taps of one lookup stand, in lengths of its axis
     double sum_bits = 53;         ///< unit roundoff of sums over texels: accumulation, summed-area tables
     int sum_roundings = 4096;     ///< chained in such a sum, weights included
-    double texel_bits = 24;       ///< unit roundoff of stored texels of every level above 0
+    double texel_bits = 24;       ///< unit roundoff of stored texels of every level above 0: 11 is float16
     double colour_bits = 24;      ///< unit roundoff of the picture's numbers
     WeightLattice weights_on{};   ///< no promise but a hypothesis: weights are rounded to these alone
 };

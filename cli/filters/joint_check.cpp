@@ -1,7 +1,9 @@
 #include "cli/filters/joint_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <iterator>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
@@ -75,7 +77,7 @@ class ChangedDefinitions {
     }
 
   private:
-    FilterSettings settings() const { return selftest::reference_settings(claim_.options); }
+    FilterSettings settings() const { return selftest::reference_settings(claim_.options, claim_.precision); }
 
     /// Of a scene that the reference keeps; of the fixture's where there is none.
     PixelReference made(std::shared_ptr<const Scene> scene, const FilterSettings& settings) const {
@@ -155,8 +157,20 @@ std::vector<AlternativeReference> coarser_weights(const ChangedDefinitions& chan
     return all;
 }
 
+/// Formats of 11 bits, which a promise of more rules out. Levels that a user gives are what they are.
+std::vector<AlternativeReference> coarser_levels(const ChangedDefinitions& changed,
+                                                 const FilterClaim& claim) {
+    using oracle::filter_reference::LevelFormat;
+    if (claim.precision.texel_bits <= 11 || claim.options.given_levels) return {};
+    return {{"levels above 0 of float16",
+             changed.with([](FilterSettings& s) { s.format = LevelFormat::float16; })},
+            {"levels of float16",
+             changed.with([](FilterSettings& s) { s.format = LevelFormat::float16_throughout; })}};
+}
+
 JointReferences references_of(const ChangedDefinitions& changed, const FilterClaim& claim) {
     std::vector<AlternativeReference> alternatives = coarser_weights(changed, claim.precision);
+    std::ranges::move(coarser_levels(changed, claim), std::back_inserter(alternatives));
     alternatives.push_back({"four times the limit of anisotropy",
                             changed.with([](FilterSettings& s) { s.max_anisotropy *= 4; })});
     if (claim.options.max_anisotropy > 1)

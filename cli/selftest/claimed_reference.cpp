@@ -14,7 +14,7 @@ const oracle::filter_reference::Definition& definition_of(const std::string& met
 
 }  // namespace
 
-oracle::FilterSettings reference_settings(const texture::FilterOptions& o) {
+oracle::FilterSettings reference_settings(const texture::FilterOptions& o, const FilterPrecision& promise) {
     using oracle::filter_reference::ChainKernel;
     const auto kernel = o.mip_kernel == texture::MipKernel::box         ? ChainKernel::box
                         : o.mip_kernel == texture::MipKernel::polyphase ? ChainKernel::polyphase
@@ -28,7 +28,8 @@ oracle::FilterSettings reference_settings(const texture::FilterOptions& o) {
             .subdivisions = o.subdivisions,
             .samples = o.samples,
             .seed = o.seed,
-            .given_levels = o.given_levels};
+            .given_levels = o.given_levels,
+            .texel_bits = promise.texel_bits};
 }
 
 FilterPrecision filter_precision(const texture::FilterOptions& o) {
@@ -44,7 +45,8 @@ StepRule step_rule(texture::Derivatives derivatives) {
 ClaimedReference::ClaimedReference(const Scene& scene, const View& view, const FilterClaim& claim)
     : definition_(definition_of(claim.method)),
       promise_(claim.precision),
-      reference_(scene, view, definition_, reference_settings(claim.options), step_rule(claim.derivatives)),
+      reference_(scene, view, definition_, reference_settings(claim.options, claim.precision),
+                 step_rule(claim.derivatives)),
       surfaces_(scene, view, claim.precision) {}
 
 PermittedColours ClaimedReference::at(int x, int y, const FilterPrecision& precision) const {

@@ -10,8 +10,10 @@
 
 namespace zproof::selftest {
 
-/// The options of a method, as its filter reference knows them, and what they promise.
-oracle::FilterSettings reference_settings(const texture::FilterOptions& options);
+/// The options of a method under a promise, as its filter reference knows them.
+oracle::FilterSettings reference_settings(const texture::FilterOptions& options,
+                                          const FilterPrecision& promise);
+/// What the options promise.
 FilterPrecision filter_precision(const texture::FilterOptions& options);
 StepRule step_rule(texture::Derivatives derivatives);
 

@@ -62,8 +62,30 @@ Sources sources_of(ChainKernel kernel, int coarse, const Axis& axis) {
     return lanczos3(coarse, axis);
 }
 
+/// Units in the last place of what levels are kept as: relative, and the least.
+struct StoredUnit {
+    double relative, least;
+};
+
+/// What has fewer bits than float32 may be float16.
+StoredUnit stored_unit(double texel_bits) {
+    return {std::exp2(-texel_bits), texel_bits < FilterPrecision{}.texel_bits ? 0x1p-25 : 0x1p-149};
+}
+
+/// The nearest float16, to even (IEEE 754 binary16): 11 significant bits, multiples of 2^-24.
+double as_float16(double value) {
+    const double step = std::ldexp(1.0, std::max(std::ilogb(value), -14) - 10);
+    return std::nearbyint(value / step) * step;
+}
+
+IntervalImage as_float16(IntervalImage image) {
+    for (IntervalImage::Texel& texel : image.texels)
+        for (int c = 0; c < 3; ++c) texel.value[c] = texel.value[c] == 0 ? 0 : as_float16(texel.value[c]);
+    return with_range(std::move(image));
+}
+
 IntervalImage::Texel made_of(const IntervalImage& finer, const Sources& columns, const Sources& rows,
-                             double unit) {
+                             const StoredUnit& unit) {
     IntervalImage::Texel sum;
     glm::dvec3 size{0};
     for (const Source& row : rows) {
@@ -77,7 +99,7 @@ IntervalImage::Texel made_of(const IntervalImage& finer, const Sources& columns,
     }
     // The stored format; weights and sums of an implementation and of ours, of at most 17 x 17 terms with
     // weights good to 16 roundings.
-    sum.radius += (unit + 2 * (17 * 17 + 32) * 0x1p-53) * size + 0x1p-149;
+    sum.radius += (unit.relative + 2 * (17 * 17 + 32) * 0x1p-53) * size + unit.least;
     return sum;
 }
 
@@ -90,18 +112,21 @@ std::vector<Sources> all_sources(ChainKernel kernel, const Axis& axis) {
 }  // namespace
 
 IntervalImage shrunk(const IntervalImage& finer, int width, int height, const Settings& settings) {
-    const double unit = std::exp2(-FilterPrecision{}.texel_bits);
+    const StoredUnit unit = stored_unit(settings.texel_bits);
     const auto columns = all_sources(settings.kernel, {finer.width, width, settings.wrap.u}),
                rows = all_sources(settings.kernel, {finer.height, height, settings.wrap.v});
     IntervalImage coarser{width, height, {}, {}};
     coarser.texels.reserve(std::size_t(width) * std::size_t(height));
     for (const Sources& row : rows)
         for (const Sources& column : columns) coarser.texels.push_back(made_of(finer, column, row, unit));
-    return with_range(std::move(coarser));
+    coarser = with_range(std::move(coarser));
+    return settings.format == LevelFormat::float32 ? coarser : as_float16(std::move(coarser));
 }
 
 std::vector<IntervalImage> chain(const texture::LinearImage& image, const Settings& settings) {
-    std::vector<IntervalImage> levels{exact_image(image)};
+    const IntervalImage finest = exact_image(image);
+    std::vector<IntervalImage> levels{settings.format == LevelFormat::float16_throughout ? as_float16(finest)
+                                                                                         : finest};
     if (settings.given_levels) {
         for (const texture::LinearImage& level : *settings.given_levels) levels.push_back(exact_image(level));
         return levels;

@@ -12,6 +12,13 @@ namespace zproof::oracle::filter_reference {
 /// How the smaller levels of a mip chain are made.
 enum class ChainKernel { box, polyphase, lanczos3 };
 
+/// What a chain's levels are kept as.
+enum class LevelFormat {
+    float32,
+    float16,            ///< levels above 0
+    float16_throughout  ///< and level 0
+};
+
 /// What a user may set of a method.
 struct Settings {
     WrapRules wrap;
@@ -23,7 +30,9 @@ struct Settings {
     int samples = 1;         ///< a pixel's, of stochastic methods
     std::uint32_t seed = 0;  ///< the first frame, of a method whose numbers are defined
     std::shared_ptr<const std::vector<texture::LinearImage>>
-        given_levels{};  ///< 1 and on; null: made by kernel
+        given_levels{};      ///< 1 and on; null: made by kernel
+    double texel_bits = 24;  ///< unit roundoff of levels above 0
+    LevelFormat format = LevelFormat::float32;
     double texel_error =
         0;  ///< stored texels of level 0 are rounded by at most this much (a table of integers)
 };

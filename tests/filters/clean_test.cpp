@@ -63,7 +63,7 @@ TEST(StochasticDraws, HaveTheExpectationOfTheDeterministicMethod) {
          {std::pair{"stochastic-bilinear", "bilinear"}, std::pair{"stochastic-trilinear", "trilinear-gl"}}) {
         const auto reference = [&](const char* name) {
             return oracle::FilterReference{fixture.scene, fixture.view, *oracle::find_filter_definition(name),
-                                           reference_settings({})};
+                                           reference_settings({}, {})};
         };
         const oracle::FilterReference draws = reference(stochastic), filtered = reference(deterministic);
         int pixels = 0;

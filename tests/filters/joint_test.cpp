@@ -176,6 +176,28 @@ TEST(Joint, WeightsOfFewerBitsAreSeen) {
                   "weights of 7 bits, rounded down"));
 }
 
+TEST(Joint, LevelsOfFloat16AreSeen) {
+    const auto with_halves = [](int from) {
+        return joint(
+            limited_trilinear({.lod = eight, .weights = eight, .blend = eight, .half_levels_from = from}),
+            "trilinear-gl");
+    };
+    EXPECT_TRUE(is_nearer(with_halves(0), "levels of float16"));
+    EXPECT_TRUE(is_nearer(with_halves(1), "levels above 0 of float16"));
+}
+
+TEST(Joint, LevelsOfFloat16ThatArePromisedPass) {
+    const texture::Method halves = limited_trilinear({.half_levels_from = 1});
+    FilterClaim claim;
+    claim.method = "trilinear-gl";
+    claim.precision = *preset_filter_precision("float32");
+    const Picture picture = drawn(noise(), halves);
+    EXPECT_TRUE(selftest::conformance_of(picture, noise(), claim).is_caught());
+    claim.precision.texel_bits = 11;
+    EXPECT_FALSE(selftest::conformance_of(picture, noise(), claim).is_caught());
+    EXPECT_FALSE(joint_conformance_of(picture, noise(), claim).leaves_promise());
+}
+
 TEST(Joint, AnEllipseOfEightBitsKeepsThePromise) {
     for (const Lattice& weights : {eight, eight_down})
         EXPECT_FALSE(joint(limited_ellipse({.weights = weights}), "ewa-pbrt").leaves_promise());

@@ -19,6 +19,26 @@ std::vector<LinearImage> chain(const LinearImage& image, const FilterOptions& o)
     return texture::mip_chain(image, o.mip_kernel, o.addressing);
 }
 
+/// 11 significant bits; of texels that are no denormals.
+void keep_as_float16(LinearImage& level) {
+    for (glm::vec4& texel : level.texels)
+        for (int c = 0; c < 4; ++c) {
+            int exponent = 0;
+            const double fraction = std::frexp(double(texel[c]), &exponent);
+            texel[c] = float(std::ldexp(std::nearbyint(std::ldexp(fraction, 11)), exponent - 11));
+        }
+}
+
+std::vector<LinearImage> chain_with_halves(const LinearImage& image, const FilterOptions& o, int from) {
+    std::vector<LinearImage> levels{image};
+    for (int number = 0;; ++number) {
+        if (number >= from) keep_as_float16(levels.back());
+        const std::vector<LinearImage> below = chain(levels.back(), o);
+        if (below.size() == 1) return levels;
+        levels.push_back(below[1]);
+    }
+}
+
 /// One axis alone: g++ 12.2 vectorises a pair of double -> float -> double into nothing at all.
 double as_float32(double texels, double size) { return double{float(texels / size)} * size; }
 
@@ -48,7 +68,7 @@ double Lattice::operator()(double x) const {
 
 texture::Method limited_trilinear(const LimitedTrilinear& parts) {
     return selftest::made_of([parts](const LinearImage& image, const FilterOptions& o) -> selftest::Colour {
-        return [levels = chain(image, o), parts, o](const Footprint& f) {
+        return [levels = chain_with_halves(image, o, parts.half_levels_from), parts, o](const Footprint& f) {
             const glm::dvec2 size = size_of(levels[0]);
             glm::dvec2 place = f.centre + parts.place_error;
             if (parts.is_float32) {

@@ -30,6 +30,7 @@ struct LimitedTrilinear {
     glm::dvec2 place_error{0};          ///< added to every place, texels of level 0
     double gain = 1;                    ///< of what is shown
     bool is_float32 = true;             ///< texture coordinates are held in float32
+    int half_levels_from = 100;         ///< levels from here on are kept as float16, made of those kept
 };
 texture::Method limited_trilinear(const LimitedTrilinear& parts);
 
