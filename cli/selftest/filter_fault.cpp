@@ -51,9 +51,13 @@ std::string in_words(const ConformanceResult& result) {
     std::ostringstream text;
     text << result.found.outside << " of " << result.found.judged << " pixels outside, slack "
          << std::setprecision(2) << result.found.worst_slack;
-    if (const auto rule = rule_told(result.rules))
-        text << "; at fault: " << name_of(rule->rule) << ", to " << std::setprecision(3) << rule->bits
-             << " bits";
+    const auto rule = rule_told(result.rules);
+    text << std::setprecision(3);
+    if (rule && rule->rule == FilterRule::factor)
+        text << "; at fault: factor, times " << rule->times.r << ", " << rule->times.g << ", "
+             << rule->times.b;
+    else if (rule)
+        text << "; at fault: " << name_of(rule->rule) << ", to " << rule->bits << " bits";
     else
         text << "; rule at fault: not told";
     return text.str();

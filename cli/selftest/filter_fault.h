@@ -4,7 +4,7 @@
 #include "cli/selftest/claimed_reference.h"
 #include "cli/selftest/filter_fixture.h"
 #include "cli/selftest/score.h"
-#include "compare/conformance.h"
+#include "compare/rule_at_fault.h"
 #include "compare/stochastic_conformance.h"
 
 namespace zproof::selftest {

@@ -1,6 +1,9 @@
 /// A rule at fault is named only where it alone explains what is wrong.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "cli/selftest/filter_fault.h"
 #include "tests/filters/limited_sampler.h"
 #include "texture/catalogue.h"
@@ -9,7 +12,7 @@ namespace zproof {
 namespace {
 
 RuleRelaxation explains(FilterRule rule, double share) {
-    return {.rule = rule, .bits = 3, .explained = share};
+    return {.rule = rule, .bits = 3, .explained = share, .permissive = rule == FilterRule::sums ? 0.5 : 0.25};
 }
 
 TEST(RuleTold, IsTheOnlyOneThatExplainsEveryPixel) {
@@ -33,6 +36,15 @@ TEST(RuleTold, IsSumsOnlyWhereNoOtherExplainsThem) {
     EXPECT_FALSE(rule_told({}));
 }
 
+TEST(RuleTold, IsNoneThatPermitsAsMuchAsAnyError) {
+    RuleRelaxation coordinates = explains(FilterRule::coordinates, 1);
+    EXPECT_TRUE(rule_told({coordinates, explains(FilterRule::sums, 1)}));
+    coordinates.permissive = 0.5;
+    EXPECT_FALSE(rule_told({coordinates, explains(FilterRule::sums, 1)}));
+    coordinates.permissive = std::numeric_limits<double>::infinity();
+    EXPECT_FALSE(rule_told({coordinates}));
+}
+
 TEST(RuleTold, IsNotThatWeightsMayBeAnyMean) {
     RuleRelaxation weights = explains(FilterRule::weights, 1);
     EXPECT_TRUE(rule_told({weights, explains(FilterRule::sums, 1)}));
@@ -47,15 +59,40 @@ std::optional<RuleRelaxation> told_under_gpu(const Picture& picture, const selft
             .rules);
 }
 
-/// A level of other texels, and a factor that is not there, are no matter of weights.
-TEST(RuleTold, IsNotWeightsWhereTexelsOrTheFactorAreWrong) {
+/// What is told under gpu of a planted defect.
+std::optional<RuleRelaxation> told_of(const std::string& name, const selftest::FilterFixture& fixture) {
+    const std::vector<selftest::FilterFault> all = selftest::filter_faults();
+    const auto fault = std::ranges::find(all, name, &selftest::FilterFault::name);
+    const Picture picture =
+        fault->inject(fixture, {.method = *texture::find_method(fault->method), .options = fault->options});
+    return told_under_gpu(picture, fixture, fault->method);
+}
+
+/// A level of other texels is no matter of weights.
+TEST(RuleTold, IsNotWeightsWhereTexelsAreWrong) {
+    EXPECT_FALSE(told_of("lanczos_for_box", selftest::filter_fixture(selftest::Ground::noise)));
+}
+
+TEST(RuleTold, IsTheFactorWhereOneHoldsAtEveryPixel) {
     const selftest::FilterFixture fixture = selftest::filter_fixture(selftest::Ground::noise);
-    for (const selftest::FilterFault& fault : selftest::filter_faults()) {
-        if (fault.name != "lanczos_for_box" && fault.name != "factor_ignored") continue;
-        const Picture picture =
-            fault.inject(fixture, {.method = *texture::find_method(fault.method), .options = fault.options});
-        EXPECT_FALSE(told_under_gpu(picture, fixture, fault.method)) << fault.name;
-    }
+    const std::vector<selftest::FilterFault> all = selftest::filter_faults();
+    const auto fault = std::ranges::find(all, "factor_ignored", &selftest::FilterFault::name);
+    const auto told = rule_told(selftest::try_filter_fault(*fault, fixture).rules);
+    ASSERT_TRUE(told);
+    EXPECT_EQ(told->rule, FilterRule::factor);
+    const glm::vec4 factor = fixture.scene.materials.at(0).base_color_factor;
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(told->times[c] * double(factor[c]), 1, 1e-6) << c;
+}
+
+/// Twice the value at one pixel alone is no factor: the others contradict it.
+TEST(RuleTold, IsNotTheFactorOfOneWrongPixel) {
+    const selftest::FilterFixture fixture = selftest::filter_fixture(selftest::Ground::noise);
+    Picture picture = rasterizer::filtered(fixture.scene, fixture.view, fixture.frame,
+                                           {.method = *texture::find_method("bilinear")});
+    LinearRgb& wrong = picture.at(60, 60);
+    wrong = {2 * wrong.r, 2 * wrong.g, 2 * wrong.b};
+    const auto told = told_under_gpu(picture, fixture, "bilinear");
+    EXPECT_FALSE(told && told->rule == FilterRule::factor);
 }
 
 /// Of a 2 x 2 read and of the blend of two levels: neither a place nor an LOD explains both.
@@ -76,7 +113,12 @@ TEST(RuleTold, IsSaidInWords) {
     result.found.outside = 3, result.found.judged = 9, result.found.worst_slack = 2;
     result.rules = {explains(FilterRule::lod, 1)};
     EXPECT_EQ(selftest::in_words(result), "3 of 9 pixels outside, slack 2; at fault: LOD, to 3 bits");
-    result.rules.push_back(explains(FilterRule::weights, 1));
+    RuleRelaxation factor = explains(FilterRule::factor, 1);
+    factor.times = {2, 1, 0.5};
+    result.rules = {factor, explains(FilterRule::lod, 1)};
+    EXPECT_EQ(selftest::in_words(result),
+              "3 of 9 pixels outside, slack 2; at fault: factor, times 2, 1, 0.5");
+    result.rules = {explains(FilterRule::lod, 1), explains(FilterRule::weights, 1)};
     EXPECT_EQ(selftest::in_words(result), "3 of 9 pixels outside, slack 2; rule at fault: not told");
 }
 
