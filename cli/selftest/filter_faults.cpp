@@ -311,6 +311,8 @@ std::vector<FilterFault> faults_of_draws() {
              {.samples = 4}},
             {"white_noise_for_interleaved", "every decision has a number of its own, white noise",
              "stochastic-interleaved", by("stochastic-trilinear")},
+            {"interleaved_for_blue", "interleaved gradient noise instead of blue noise", "stochastic-blue",
+             by("stochastic-interleaved")},
             {"one_frame_late",
              "the frames of the accumulation begin with the second",
              "stochastic-interleaved",

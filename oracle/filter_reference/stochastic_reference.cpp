@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "oracle/filter_reference/blue_noise.h"
 #include "oracle/filter_reference/levels.h"
 
 namespace zproof::oracle::filter_reference {
@@ -85,8 +86,8 @@ struct Decided {
 
 /// Jimenez 2014, of pixel and frame. Its inner sum is of some hundreds, of which 53 times the rounding is
 /// kept.
-Interval interleaved_number(int x, int y, int frame) {
-    const Interval offset = Interval{5.588238} * Interval{double(frame)};
+Interval interleaved_number(int x, int y, std::uint32_t frame) {
+    const Interval offset = Interval{5.588238} * Interval{double(frame % 64)};
     const Interval inner = Interval{0.06711056} * (Interval{double(x)} + offset) +
                            Interval{0.00583715} * (Interval{double(y)} + offset);
     const auto fraction = [](const Interval& a) {
@@ -95,6 +96,14 @@ Interval interleaved_number(int x, int y, int frame) {
     };
     const double rounding = 16 * 0x1p-53 * (1 + magnitude(inner).high());
     return fraction(Interval{52.9829189} * widen(fraction(inner), rounding));
+}
+
+/// The mask's rank in 4096ths, in the middle of its step, and so many golden ratios of 2^32 further.
+Interval blue_number(int x, int y, std::uint32_t frame) {
+    const int rank = mask_ranks()[std::size_t(y % mask_side * mask_side + x % mask_side)];
+    const std::uint64_t steps =
+        (2 * std::uint64_t(rank) + 1) * (1u << 19) + std::uint64_t{frame} * 2654435769u;
+    return Interval{double(steps % (std::uint64_t{1} << 32)) / 0x1p32};
 }
 
 /// Between the whole numbers around a place, by the share of the second. Quotients have a few roundings.
@@ -114,8 +123,7 @@ std::vector<Decided> decided(const Interval& number, const Interval& place, doub
 }
 
 /// Every texel of a level that a number may decide for.
-void add_interleaved(const Levels& levels, const Decided& level, const FilterQuery& q,
-                     PermittedColours& all) {
+void add_decided(const Levels& levels, const Decided& level, const FilterQuery& q, PermittedColours& all) {
     const IntervalImage& image = levels.at(int(level.index));
     const TexelInterval place = place_in(image, levels.at(0), q.footprint().centre, q.precision);
     const Interval half{0.5}, u = place.u - half, v = place.v - half;
@@ -130,18 +138,21 @@ void add_interleaved(const Levels& levels, const Decided& level, const FilterQue
         }
 }
 
+using NumberOf = Interval (*)(int x, int y, std::uint32_t frame);
+
 /// One sample: every texel that it may be. Several: their mean, each within the range of its texels.
-PermittedColours interleaved(const Levels& levels, const FilterQuery& q) {
+template <NumberOf number>
+PermittedColours by_one_number(const Levels& levels, const FilterQuery& q) {
     const Interval lod_of_pixel =
         level_of(lod(LodRule::gl_maximum, q.footprint()), levels.settings(), levels.count(), q.precision);
     const Settings& settings = levels.settings();
     ColourRange sum;
     for (int sample = 0; sample < settings.samples; ++sample) {
-        const int frame = int((settings.seed + std::uint32_t(sample)) % 64);
+        const std::uint32_t frame = settings.seed + std::uint32_t(sample);
         PermittedColours possible;
         for (const Decided& level :
-             decided(interleaved_number(q.x, q.y, frame), lod_of_pixel, std::exp2(-q.precision.weight_bits)))
-            if (level.index < std::int64_t(levels.count())) add_interleaved(levels, level, q, possible);
+             decided(number(q.x, q.y, frame), lod_of_pixel, std::exp2(-q.precision.weight_bits)))
+            if (level.index < std::int64_t(levels.count())) add_decided(levels, level, q, possible);
         if (settings.samples == 1) return possible;
         ColourRange range = possible.front();
         for (const ColourRange& colour : possible) range = hull(range, colour);
@@ -172,7 +183,8 @@ Definition stochastic_definition(const std::string& name, DrawsOf draws_of) {
 std::vector<Definition> stochastic_definitions() {
     return {stochastic_definition("bilinear", bilinear_draws),
             stochastic_definition("trilinear", trilinear_draws),
-            {"stochastic-interleaved", over_levels(interleaved)}};
+            {"stochastic-interleaved", over_levels(by_one_number<interleaved_number>)},
+            {"stochastic-blue", over_levels(by_one_number<blue_number>)}};
 }
 
 }  // namespace zproof::oracle::filter_reference

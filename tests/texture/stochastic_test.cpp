@@ -6,6 +6,7 @@
 
 #include "tests/support/footprints.h"
 #include "texture/catalogue.h"
+#include "texture/void_and_cluster.h"
 
 namespace zproof::texture {
 namespace {
@@ -73,12 +74,15 @@ struct Drawn {
 };
 
 /// What pixel (x, y) draws of a texture of 4 x 4 at the place (1.75, 2), with steps of 2^lod texels.
-Drawn interleaved(int x, int y, std::uint32_t frame, double lod) {
+Drawn drawn_by(const char* method, int x, int y, std::uint32_t frame, double lod) {
     Footprint f = flat_footprint({1.75, 2}, {std::exp2(lod), 0}, {0, std::exp2(lod)});
     f.centre_raster = {x + 0.5, y + 0.5};
-    const Tap tap =
-        stochastic("stochastic-interleaved", random_image(4, 4, 1), {.seed = frame}).taps(f).front();
+    const Tap tap = stochastic(method, random_image(4, 4, 1), {.seed = frame}).taps(f).front();
     return {tap.image, tap.column, tap.row};
+}
+
+Drawn interleaved(int x, int y, std::uint32_t frame, double lod) {
+    return drawn_by("stochastic-interleaved", x, y, frame, lod);
 }
 
 /// Columns 1 and 2 by 3/4 and 1/4, rows 1 and 2 by halves. The noise is 0 at (0, 0), 0.5557 at (1, 0), 0.3093
@@ -113,6 +117,22 @@ TEST(Interleaved, IsEvenerOverNeighboursThanWhiteNoise) {
             ++blocks;
         }
     EXPECT_LT(std::sqrt(squares / blocks), 0.5 * std::sqrt(3 / 16.0 / 9));
+}
+
+/// Columns 1 and 2 by 3/4 and 1/4, rows 1 and 2 by halves. A rank below 1024 has column 2, and then row 2
+/// below 512; other ranks have column 1, and row 2 below 1024 + 1536. A frame later 0.618 is added.
+TEST(Blue, DecidesByTheRankOfThePixel) {
+    const auto expected = [](double number) {
+        if (number < 0.25) return Drawn{0, 2, number < 0.125 ? 2 : 1};
+        return Drawn{0, 1, number < 0.625 ? 2 : 1};
+    };
+    for (int y = 0; y < 70; y += 3)
+        for (int x = 0; x < 70; ++x) {
+            const double number = (blue_noise_ranks()[std::size_t(y % 64 * 64 + x % 64)] + 0.5) / 4096;
+            EXPECT_EQ(drawn_by("stochastic-blue", x, y, 0, 0), expected(number)) << x << " " << y;
+            const double next = number + (std::sqrt(5.0) - 1) / 2;
+            EXPECT_EQ(drawn_by("stochastic-blue", x, y, 1, 0), expected(next - std::floor(next)));
+        }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "texture/methods/families.h"
 #include "texture/methods/tap_rule.h"
 #include "texture/mip_chain.h"
+#include "texture/void_and_cluster.h"
 
 namespace zproof::texture {
 
@@ -33,15 +34,10 @@ class WhiteNoise {
     std::uint64_t sample_;
 };
 
-/// Interleaved gradient noise (Jimenez 2014), a number for every pixel and frame. What is left of it after a
-/// decision takes the next one.
-class InterleavedNoise {
+/// A number for every pixel and frame. What is left of it after a decision takes the next one.
+class OneNumber {
   public:
-    InterleavedNoise(std::uint32_t seed, const glm::dvec2& centre_raster, int sample) {
-        const glm::dvec2 at =
-            glm::floor(centre_raster) + 5.588238 * double((seed + std::uint32_t(sample)) % 64);
-        number_ = glm::fract(52.9829189 * glm::fract(0.06711056 * at.x + 0.00583715 * at.y));
-    }
+    explicit OneNumber(double number) : number_(number) {}
 
     int second(Decision, double share) {
         const bool is_second = number_ < share;
@@ -51,6 +47,27 @@ class InterleavedNoise {
 
   private:
     double number_;
+};
+
+/// Interleaved gradient noise (Jimenez 2014).
+double interleaved_number(std::uint32_t frame, const glm::dvec2& pixel) {
+    const glm::dvec2 at = pixel + 5.588238 * double(frame % 64);
+    return glm::fract(52.9829189 * glm::fract(0.06711056 * at.x + 0.00583715 * at.y));
+}
+
+/// Of the mask's 4096, in the middle of its step; every frame moves it on by the golden ratio, in 2^-32.
+double blue_number(std::uint32_t frame, const glm::dvec2& pixel) {
+    const auto cell = [](double at) {
+        return std::size_t(at - blue_noise_side * std::floor(at / blue_noise_side));
+    };
+    const std::uint32_t rank = blue_noise_ranks()[cell(pixel.y) * blue_noise_side + cell(pixel.x)];
+    return double((rank << 20) + (1u << 19) + frame * 2654435769u) * 0x1p-32;
+}
+
+template <double (*number)(std::uint32_t frame, const glm::dvec2& pixel)>
+struct FrameNoise : OneNumber {
+    FrameNoise(std::uint32_t seed, const glm::dvec2& centre_raster, int sample)
+        : OneNumber(number(seed + std::uint32_t(sample), glm::floor(centre_raster))) {}
 };
 
 /// One texel a sample, of the levels around the LOD. Without a chain there is one level.
@@ -142,7 +159,21 @@ std::vector<Method> stochastic_methods() {
                   "trilinear-gl.",
               .source = "Jimenez 2014, Next Generation Post Processing in Call of Duty; Fajardo, Wronski, "
                         "Salvi and Pharr 2023, Stochastic Texture Filtering, for one number for all"},
-         .prepare = prepare_stochastic_trilinear<InterleavedNoise>}};
+         .prepare = prepare_stochastic_trilinear<FrameNoise<interleaved_number>>},
+        {.name = "stochastic-blue",
+         .card =
+             {.footprint = "The longer of the pixel's two steps.",
+              .lod = "log2 of its length in texels.",
+              .taps =
+                  "The mean of spp samples, the frames of an accumulation. A sample is one texel, decided "
+                  "as by stochastic-interleaved, but by the number frac((r + 1/2) / 4096 + (seed + sample) "
+                  "2654435769 / 2^32): r is the rank of pixel (x mod 64, y mod 64) in a void-and-cluster "
+                  "mask of 64 x 64 (texture/void_and_cluster.h), and every frame moves it on by the golden "
+                  "ratio. Averaged over frames and neighbouring pixels it nears trilinear-gl.",
+              .source = "Ulichney 1993, The void-and-cluster method for dither array generation; Pharr, "
+                        "Wronski, Salvi and Fajardo 2024, Filtering After Shading With Stochastic Texture "
+                        "Filtering, for blue noise; mask and frames are ours"},
+         .prepare = prepare_stochastic_trilinear<FrameNoise<blue_number>>}};
 }
 
 }  // namespace zproof::texture
