@@ -71,6 +71,8 @@ void add_truth() {
     add_truth("nearest", oracle::Reconstruction::nearest);
     add_truth("bilinear", oracle::Reconstruction::bilinear);
     add_truth("gaussian", oracle::Reconstruction::gaussian);
+    add_truth("mitchell", oracle::Reconstruction::mitchell);
+    add_truth("blackman_harris", oracle::Reconstruction::blackman_harris);
 }
 
 }  // namespace zproof::bench

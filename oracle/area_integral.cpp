@@ -9,6 +9,7 @@
 
 #include "oracle/area/pixel_estimate.h"
 #include "oracle/area/pixel_pieces.h"
+#include "oracle/area/pixel_weight.h"
 #include "oracle/area/row_spans.h"
 #include "oracle/area/texture_integral.h"
 #include "oracle/area/visible.h"
@@ -19,7 +20,13 @@ namespace {
 
 using namespace area;
 
-constexpr double widest_reach_px = 1;
+/// The widest of all weights' half-sides.
+double widest_half_side() {
+    double widest = 0;
+    for (const NamedReconstruction& named : reconstructions)
+        widest = std::max(widest, weight_of(named.reconstruction).half_side);
+    return widest;
+}
 
 struct PixelTruth {
     glm::dvec3 mean{0};
@@ -32,43 +39,19 @@ TruthKind kind_of(const Surfaces& surfaces, const Visible& visible) {
                                                                       : TruthKind::silhouette;
 }
 
-/// One reconstruction's way to integrate a pixel.
-class Integral {
-  public:
-    Integral(const Surfaces& surfaces, Reconstruction reconstruction)
-        : surfaces_(surfaces), reconstruction_(reconstruction) {}
-
-    double reach() const { return reach_px(reconstruction_); }
-    /// The bound of the mean's error, where rounding does not count.
-    double bound() const { return is_gaussian() ? gaussian_error : 0; }
-
-    /// The mean over a pixel; nothing where it would take too long.
-    std::optional<PixelTruth> at(std::span<const std::uint32_t> candidates, int x, int y) const {
-        const Point<double> centre{x + 0.5, y + 0.5};
-        const std::optional<Visible> visible = pixel_pieces(surfaces_, candidates, centre, reconstruction_);
-        if (!visible) return std::nullopt;
-        PixelTruth truth{.kind = kind_of(surfaces_, *visible)};
-        for (const Piece& piece : visible->pieces)
-            truth.mean += integral(surfaces_.colour(piece.triangle), piece.polygon,
-                                   texels_around(surfaces_, piece.triangle, centre));
-        truth.mean /= is_gaussian() ? gaussian_total() : 1;
-        return truth;
-    }
-
-  private:
-    bool is_gaussian() const { return oracle::is_gaussian(reconstruction_); }
-
-    glm::dvec3 integral(const SurfaceColour& colour, const Polygon<double>& piece,
-                        const Homography<double>& texels) const {
-        if (reconstruction_ == Reconstruction::nearest) return nearest_integral(colour, piece, texels);
-        if (reconstruction_ == Reconstruction::bilinear) return bilinear_integral(colour, piece, texels);
-        return is_of_nearest(reconstruction_) ? gaussian_integral_of_nearest(colour, piece, texels)
-                                              : gaussian_integral(colour, piece, texels);
-    }
-
-    const Surfaces& surfaces_;
-    Reconstruction reconstruction_;
-};
+/// The mean over a pixel; nothing where it would take too long.
+std::optional<PixelTruth> integrated(const Surfaces& surfaces, std::span<const std::uint32_t> candidates,
+                                     const glm::ivec2& pixel, Reconstruction reconstruction) {
+    const Point<double> centre{pixel.x + 0.5, pixel.y + 0.5};
+    const std::optional<Visible> visible = pixel_pieces(surfaces, candidates, centre, reconstruction);
+    if (!visible) return std::nullopt;
+    PixelTruth truth{.kind = kind_of(surfaces, *visible)};
+    for (const Piece& piece : visible->pieces)
+        truth.mean += colour_integral(surfaces.colour(piece.triangle), piece.polygon,
+                                      texels_around(surfaces, piece.triangle, centre), reconstruction);
+    truth.mean /= weight_of(reconstruction).total;
+    return truth;
+}
 
 AreaTruth empty_truth(const View& view) {
     const Resolution size{view.width, view.height};
@@ -82,14 +65,15 @@ void for_each_row(const View& view, const Work& work) {
     });
 }
 
-void integrate_row(const Integral& integral, std::span<const Span> spans, int y, AreaTruth& truth) {
+void integrate_row(const Surfaces& surfaces, Reconstruction reconstruction, std::span<const Span> spans,
+                   int y, AreaTruth& truth) {
     RowSweep sweep(spans);
     for (int x = 0; x < truth.mean.size().width; ++x) {
-        const auto exact = integral.at(sweep.at(x), x, y);
+        const auto exact = integrated(surfaces, sweep.at(x), {x, y}, reconstruction);
         truth.kind.at(x, y) = exact ? exact->kind : TruthKind::sampled;
         if (!exact) continue;
         truth.mean.at(x, y) = exact->mean;
-        truth.half_width.at(x, y) = exact->kind == TruthKind::background ? 0 : integral.bound();
+        if (exact->kind != TruthKind::background) truth.half_width.at(x, y) = weight_of(reconstruction).error;
     }
 }
 
@@ -107,12 +91,22 @@ void estimate(const PixelEstimator& estimator, const View& view, AreaTruth& trut
 
 }  // namespace
 
+std::string letters_of(Reconstruction reconstruction) {
+    const auto* const named =
+        std::ranges::find(reconstructions, reconstruction, &NamedReconstruction::reconstruction);
+    return std::string{named->letters};
+}
+
+std::optional<Reconstruction> reconstruction_of(std::string_view letters) {
+    const auto* const named = std::ranges::find(reconstructions, letters, &NamedReconstruction::letters);
+    return named == reconstructions.end() ? std::nullopt : std::optional{named->reconstruction};
+}
+
 AreaTruth area_truth(const Scene& scene, const View& view, Reconstruction reconstruction) {
     const Surfaces surfaces(scene, view);
-    const Integral integral(surfaces, reconstruction);
-    const RowSpans spans(surfaces, view, integral.reach());
+    const RowSpans spans(surfaces, view, weight_of(reconstruction).half_side);
     AreaTruth truth = empty_truth(view);
-    for_each_row(view, [&](int y) { integrate_row(integral, spans.row(y), y, truth); });
+    for_each_row(view, [&](int y) { integrate_row(surfaces, reconstruction, spans.row(y), y, truth); });
     if (std::ranges::count(truth.kind.pixels(), TruthKind::sampled) == 0) return truth;
     const Embree embree(scene);
     estimate(PixelEstimator(surfaces, embree, view, reconstruction), view, truth);
@@ -121,13 +115,14 @@ AreaTruth area_truth(const Scene& scene, const View& view, Reconstruction recons
 
 Plane<TruthKind> surfaces_around(const Scene& scene, const View& view) {
     const Surfaces surfaces(scene, view);
-    const RowSpans spans(surfaces, view, widest_reach_px);
+    const double half_side = widest_half_side();
+    const RowSpans spans(surfaces, view, half_side);
     Plane<TruthKind> kinds({view.width, view.height});
     for_each_row(view, [&](int y) {
         RowSweep sweep(spans.row(y));
         for (int x = 0; x < view.width; ++x) {
             const auto visible =
-                visible_pieces(surfaces, sweep.at(x), Point<double>{x + 0.5, y + 0.5}, widest_reach_px);
+                visible_pieces(surfaces, sweep.at(x), Point<double>{x + 0.5, y + 0.5}, half_side);
             kinds.at(x, y) = visible ? kind_of(surfaces, *visible) : TruthKind::silhouette;
         }
     });

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "oracle/area/pixel_pieces.h"
+#include "oracle/area/pixel_weight.h"
 #include "oracle/area/row_spans.h"
 #include "oracle/area/texture_integral.h"
 
@@ -16,26 +17,13 @@ struct AreaWeights::Parts {
     Reconstruction reconstruction;
 
     Parts(const Scene& scene, const View& view, Reconstruction how)
-        : surfaces(scene, view), spans(surfaces, view, reach_px(how)), reconstruction(how) {}
+        : surfaces(scene, view), spans(surfaces, view, weight_of(how).half_side), reconstruction(how) {}
 
     /// The triangles whose spans of the row hold x, in ascending order.
     std::vector<std::uint32_t> candidates(int x, int y) const {
         RowSweep sweep(spans.row(y));
         const std::span<const std::uint32_t> found = sweep.at(x);
         return {found.begin(), found.end()};
-    }
-
-    void visit(const Polygon<double>& piece, const Homography<double>& texels, const CellVisit& visit) const {
-        switch (reconstruction) {
-            case Reconstruction::nearest:
-                return visit_nearest_weights(piece, texels, visit);
-            case Reconstruction::bilinear:
-                return visit_bilinear_weights(piece, texels, visit);
-            case Reconstruction::gaussian:
-                return visit_gaussian_weights(piece, texels, visit);
-            case Reconstruction::gaussian_of_nearest:
-                return visit_gaussian_weights_of_nearest(piece, texels, visit);
-        }
     }
 };
 
@@ -50,12 +38,12 @@ std::optional<std::vector<TexelWeight>> AreaWeights::at(int x, int y) const {
     const std::optional<Visible> visible =
         pixel_pieces(surfaces, parts_->candidates(x, y), centre, parts_->reconstruction);
     if (!visible) return std::nullopt;
-    const double total = is_gaussian(parts_->reconstruction) ? gaussian_total() : 1;
+    const double total = weight_of(parts_->reconstruction).total;
     std::vector<TexelWeight> weights;
     for (const Piece& piece : visible->pieces) {
         if (surfaces.colour(piece.triangle).image == nullptr) continue;
         const int material = surfaces.material(piece.triangle);
-        parts_->visit(piece.polygon, texels_around(surfaces, piece.triangle, centre),
+        visit_weights(piece.polygon, texels_around(surfaces, piece.triangle, centre), parts_->reconstruction,
                       [&](const Cell& cell, double weight) {
                           weights.push_back({material, cell.column, cell.row, weight / total});
                       });

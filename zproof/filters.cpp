@@ -10,12 +10,11 @@ namespace zproof::api {
 namespace {
 
 oracle::Reconstruction reconstruction_of(const std::string& word) {
-    using enum oracle::Reconstruction;
-    if (word == "N") return nearest;
-    if (word == "B") return bilinear;
-    if (word == "G") return gaussian;
-    if (word == "GN") return gaussian_of_nearest;
-    throw InputError{"truth: '" + word + "' is no reconstruction; expected N, B, G or GN"};
+    if (const auto reconstruction = oracle::reconstruction_of(word)) return *reconstruction;
+    std::string known;
+    for (const auto& [letters, reconstruction] : oracle::reconstructions)
+        known += (known.empty() ? "" : ", ") + std::string{letters};
+    throw InputError{"truth: '" + word + "' is no reconstruction; expected one of " + known};
 }
 
 }  // namespace

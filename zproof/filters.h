@@ -17,7 +17,8 @@ struct Truth {
 };
 
 /// `reconstruction` is "N" (texels are squares), "B" (bilinear), "G" (bilinear under a Gaussian of radius
-/// 1 px) or "GN" (docs/area-integral.md). Throws InputError for another one, and a view that is not judged.
+/// 1 px), "GN", "M" (bilinear under Mitchell's filter: values may leave 0 to 1) or "BH" (under Blackman and
+/// Harris's; docs/area-integral.md). Throws InputError for another one, and a view that is not judged.
 Truth truth(const Scene& scene, const View& view, const std::string& reconstruction = "B");
 
 /// Writes linear light, 3 values per pixel, as OpenEXR with the channels R, G and B, bit for bit. Throws

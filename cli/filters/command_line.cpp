@@ -36,11 +36,15 @@ void add_size(CLI::App& app, Size& width, Size& height) {
         ->capture_default_str();
 }
 
-void add_truth(CLI::App& app, std::string& letter) {
+void add_truth(CLI::App& app, std::string& letters) {
+    std::vector<std::string> known;
+    for (const oracle::NamedReconstruction& named : oracle::reconstructions)
+        known.emplace_back(named.letters);
     app.add_option(
-           "--truth", letter,
-           "N: of nearest texels; B: of bilinear; G: Gaussian pixel of bilinear; GN: the same of nearest")
-        ->check(CLI::IsMember({"N", "B", "G", "GN"}))
+           "--truth", letters,
+           "N: of nearest texels; B: of bilinear; G: Gaussian pixel of bilinear; GN: the same of nearest; "
+           "M: Mitchell's pixel of bilinear; BH: Blackman and Harris's")
+        ->check(CLI::IsMember(known))
         ->capture_default_str();
 }
 
@@ -164,12 +168,6 @@ PixelCoord pixel_coord(const std::string& text) {
     return {(*numbers)[0], (*numbers)[1]};
 }
 
-oracle::Reconstruction reconstruction(const std::string& letter) {
-    if (letter == "N") return oracle::Reconstruction::nearest;
-    if (letter == "B") return oracle::Reconstruction::bilinear;
-    return letter == "G" ? oracle::Reconstruction::gaussian : oracle::Reconstruction::gaussian_of_nearest;
-}
-
 void add_explain(CLI::App& app, FiltersWords& words) {
     FiltersExplainArguments& explain = words.explain;
     app.add_option("SCENE", explain.scene, "as of 'filters run'")->required();
@@ -207,7 +205,7 @@ FiltersExplainArguments chosen_explain(FiltersWords& words) {
     FiltersExplainArguments& explain = words.explain;
     explain.pixel = pixel_coord(words.explained_pixel);
     explain.methods = filter_choices(words.explained_methods, study_choice);
-    explain.truth = reconstruction(words.explained_truth);
+    explain.truth = *oracle::reconstruction_of(words.explained_truth);
     return explain;
 }
 
@@ -286,7 +284,7 @@ FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) 
     if (typed("run")) {
         words.run.methods = filter_choices(words.methods, study_choice);
         words.run.pictures = chosen_pictures(words);
-        words.run.truth = reconstruction(words.truth);
+        words.run.truth = *oracle::reconstruction_of(words.truth);
         words.run.views = words_of_list(words.views);
         return words.run;
     }

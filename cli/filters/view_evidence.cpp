@@ -82,7 +82,7 @@ void ViewEvidenceWriter::write(const std::filesystem::path& folder, const Studie
     if (!planes_) return;
     const FilterViewFacts facts{.scene = studied.scene_name,
                                 .view = studied.view.name,
-                                .truth = study::letter_of(studied.plan.truth),
+                                .truth = oracle::letters_of(studied.plan.truth),
                                 .explain = explain_command_for(studied)};
     planes::write(folder / "planes.zvp", std::move(*planes_).container(facts, inspections(studied)));
 }
@@ -91,7 +91,7 @@ std::string explain_command_for(const StudiedView& studied) {
     const View& view = studied.view;
     return "zproof filters explain " + shell_quoted(studied.scene_word) + " --view " +
            shell_quoted(view.name) + " --width " + std::to_string(view.width) + " --height " +
-           std::to_string(view.height) + " --truth " + study::letter_of(studied.plan.truth);
+           std::to_string(view.height) + " --truth " + oracle::letters_of(studied.plan.truth);
 }
 
 }  // namespace zproof

@@ -19,13 +19,12 @@ struct Corner {
     double s, t, w;
 };
 
-double uniform_weight(const Point<double>&) { return 1; }
-
-/// Sums a piece of the image under a weight.
-template <double (*weight)(const Point<double>&)>
+/// Sums a piece of the image under a weight of places.
+template <class Weight>
 class Sum {
   public:
-    Sum(const Homography<double>& cell, std::span<const Node> rule) : cell_(cell), rule_(rule) {}
+    Sum(const Homography<double>& cell, std::span<const Node> rule, Weight weight)
+        : cell_(cell), rule_(rule), weight_(weight) {}
 
     /// Halves the range of W until it is narrow enough.
     void add_piece(const Polygon<double>& piece) {
@@ -63,8 +62,8 @@ class Sum {
         BilinearMoments mean;
         for (const Node& n : rule_) {
             const auto blend = [&](double f, double g, double h) { return n.a * f + n.b * g + n.c * h; };
-            const double share =
-                n.weight * weight({blend(c[0].p.x, c[1].p.x, c[2].p.x), blend(c[0].p.y, c[1].p.y, c[2].p.y)});
+            const Point<double> p{blend(c[0].p.x, c[1].p.x, c[2].p.x), blend(c[0].p.y, c[1].p.y, c[2].p.y)};
+            const double share = n.weight * weight_(p);
             const double per_w = 1 / blend(c[0].w, c[1].w, c[2].w);
             const double s = blend(c[0].s, c[1].s, c[2].s) * per_w, t = blend(c[0].t, c[1].t, c[2].t) * per_w;
             mean.one += share;
@@ -81,24 +80,21 @@ class Sum {
 
     const Homography<double>& cell_;
     std::span<const Node> rule_;
+    Weight weight_;
     BilinearMoments sum_;
 };
 
 }  // namespace
 
 BilinearMoments bilinear_moments(const Polygon<double>& piece, const Homography<double>& cell) {
-    Sum<uniform_weight> sum(cell, rule_of_degree_5());
+    Sum sum(cell, rule_of_degree_5(), [](const Point<double>&) { return 1.0; });
     sum.add_piece(piece);
     return sum.moments();
 }
 
-double gaussian_weight(const Point<double>& p) {
-    static const double at_rim = std::exp(-2.0);
-    return std::exp(-2 * (p.x * p.x + p.y * p.y)) - at_rim;
-}
-
-BilinearMoments gaussian_moments(const Polygon<double>& piece, const Homography<double>& cell) {
-    Sum<gaussian_weight> sum(cell, rule_of_degree_8());
+BilinearMoments weighted_moments(const Polygon<double>& piece, const Homography<double>& cell,
+                                 const PixelWeight& weight) {
+    Sum sum(cell, weight.rule, weight.at);
     sum.add_piece(piece);
     return sum.moments();
 }

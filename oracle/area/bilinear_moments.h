@@ -3,6 +3,7 @@
 #pragma once
 
 #include "math/homography.h"
+#include "oracle/area/pixel_weight.h"
 #include "oracle/area/polygon.h"
 #include "oracle/area/texel_walk.h"
 
@@ -18,13 +19,10 @@ struct BilinearMoments {
 /// "Bilinear").
 BilinearMoments bilinear_moments(const Polygon<double>& piece, const Homography<double>& cell);
 
-/// exp(-2 r^2) - exp(-2), r in px from the origin of the offsets.
-double gaussian_weight(const Point<double>& p);
-
-/// The moments weighted by gaussian_weight(), which must not be negative on the piece. For pieces that fit
-/// into a square of 1/4 px each moment's error is at most 1.5e-5 of the area (docs/area-integral.md,
-/// "Gaussian").
-BilinearMoments gaussian_moments(const Polygon<double>& piece, const Homography<double>& cell);
+/// The moments under a weight, by its rule: for a piece of one of its blocks, in offsets from the pixel's
+/// centre (docs/area-integral.md, "Weights").
+BilinearMoments weighted_moments(const Polygon<double>& piece, const Homography<double>& cell,
+                                 const PixelWeight& weight);
 
 /// The moments over whole cells, as a series in the slopes p, q of Z per cell: terms left out are smaller
 /// than 1e-12.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace zproof::oracle::area {
 
@@ -14,7 +13,8 @@ constexpr double fine_enough = 0.001;
 
 using Sums = std::array<glm::dvec3, std::size_t(replicates)>;
 
-Estimate estimate_from(const Sums& sums, int points) {
+/// No sample's weight is greater than `greatest`.
+Estimate estimate_from(const Sums& sums, int points, double greatest) {
     glm::dvec3 mean(0), squares(0);
     for (const glm::dvec3& sum : sums) mean += sum / double(points);
     mean /= double(replicates);
@@ -24,7 +24,7 @@ Estimate estimate_from(const Sums& sums, int points) {
     }
     const double worst = std::max({squares.r, squares.g, squares.b});
     const double student = student_15 * std::sqrt(worst / (replicates * (replicates - 1)));
-    return {mean, std::max(student, 3.0 / (replicates * points))};
+    return {mean, std::max(student, 3 * greatest / (replicates * points))};
 }
 
 std::int64_t whole(double place) { return std::int64_t(std::floor(place)); }
@@ -43,26 +43,6 @@ glm::dvec3 bilinear_at(const SurfaceColour& colour, double u, double v) {
 
 }  // namespace
 
-/// With q = r^2, the share is (1 - exp(-2 q)) / 2 - exp(-2) q over its value at 1. Newton's method starts at
-/// 0 and never overshoots, since the share is concave in q.
-double gaussian_radius_squared(double share) {
-    static const double floor_weight = std::exp(-2.0), all = (1 - floor_weight) / 2 - floor_weight;
-    double q = 0;
-    for (int step = 0; step < 64; ++step) {
-        const double weight = std::exp(-2 * q) - floor_weight;
-        const double missing = share * all - ((1 - std::exp(-2 * q)) / 2 - floor_weight * q);
-        if (!(weight > 0) || !(missing > 0x1p-50)) break;
-        q = std::min(q + missing / weight, 1.0);
-    }
-    return q;
-}
-
-glm::dvec2 PixelEstimator::offset(const glm::dvec2& unit) const {
-    if (!is_gaussian(reconstruction_)) return unit - 0.5;
-    const double radius = std::sqrt(gaussian_radius_squared(unit.x)), angle = 2 * std::numbers::pi * unit.y;
-    return {radius * std::cos(angle), radius * std::sin(angle)};
-}
-
 glm::dvec3 PixelEstimator::colour(std::uint32_t triangle, const glm::dvec2& p_raster) const {
     const SurfaceColour& colour = surfaces_.colour(triangle);
     const auto& seen = surfaces_.seen(triangle);
@@ -75,22 +55,26 @@ glm::dvec3 PixelEstimator::colour(std::uint32_t triangle, const glm::dvec2& p_ra
 
 void PixelEstimator::add(Sums& sums, glm::ivec2 pixel, int first, int last) const {
     std::vector<glm::dvec2> places;
+    std::vector<double> weights;
     for (int r = 0; r < replicates; ++r) {
         const glm::u32vec2 shift = ScrambledPoints::shift(pixel.x, pixel.y, r);
-        for (int i = first; i < last; ++i)
-            places.push_back(glm::dvec2(pixel) + 0.5 + offset(points_.at(r, i, shift)));
+        for (int i = first; i < last; ++i) {
+            const Draw draw = weight_.drawn(points_.at(r, i, shift));
+            places.push_back(glm::dvec2(pixel) + 0.5 + draw.offset_px);
+            weights.push_back(draw.weight);
+        }
     }
     const std::vector<PrimitiveId> met = embree_.met(view_, places);
     for (std::size_t i = 0; i < places.size(); ++i)
         if (met[i] != PrimitiveId::none)
-            sums[i / std::size_t(last - first)] += colour(std::uint32_t(met[i]), places[i]);
+            sums[i / std::size_t(last - first)] += weights[i] * colour(std::uint32_t(met[i]), places[i]);
 }
 
 Estimate PixelEstimator::at(int x, int y) const {
     Sums sums{};
     for (int done = 0, points = 16;; done = points, points *= 2) {
         add(sums, {x, y}, done, points);
-        const Estimate estimate = estimate_from(sums, points);
+        const Estimate estimate = estimate_from(sums, points, weight_.greatest_draw);
         if (estimate.half_width <= fine_enough || points == ScrambledPoints::most_points) return estimate;
     }
 }

@@ -2,6 +2,7 @@
 /// read there in double.
 #pragma once
 
+#include "oracle/area/pixel_weight.h"
 #include "oracle/area/scrambled_points.h"
 #include "oracle/area/surfaces.h"
 #include "oracle/area_integral.h"
@@ -19,15 +20,18 @@ class PixelEstimator {
     /// All arguments must outlive it.
     PixelEstimator(const Surfaces& surfaces, const Embree& embree, const View& view,
                    Reconstruction reconstruction)
-        : surfaces_(surfaces), embree_(embree), view_(view), reconstruction_(reconstruction) {}
+        : surfaces_(surfaces),
+          embree_(embree),
+          view_(view),
+          reconstruction_(reconstruction),
+          weight_(weight_of(reconstruction)) {}
 
     /// Sixteen replicates of 16 to 1024 points, until half_width is at most 0.001. The interval is Student's
     /// of the replicates' means, and never less than 3 / n for n samples that all say the same ("rule of
-    /// three": Hanley and Lippman-Hand 1983).
+    /// three": Hanley and Lippman-Hand 1983), times the greatest weight of a sample.
     Estimate at(int x, int y) const;
 
   private:
-    glm::dvec2 offset(const glm::dvec2& unit) const;
     glm::dvec3 colour(std::uint32_t triangle, const glm::dvec2& p_raster) const;
     void add(std::array<glm::dvec3, ScrambledPoints::replicates>& sums, glm::ivec2 pixel, int first,
              int last) const;
@@ -36,10 +40,8 @@ class PixelEstimator {
     const Embree& embree_;
     const View& view_;
     Reconstruction reconstruction_;
+    const PixelWeight& weight_;
     ScrambledPoints points_;
 };
-
-/// The squared radius within which lies a share of the weight exp(-2 r^2) - exp(-2), r < 1.
-double gaussian_radius_squared(double share);
 
 }  // namespace zproof::oracle::area

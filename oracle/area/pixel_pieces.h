@@ -6,9 +6,6 @@
 
 namespace zproof::oracle::area {
 
-/// Half the side of the square that a pixel looks at.
-double reach_px(Reconstruction reconstruction);
-
 /// The map to texels from offsets of a pixel's centre.
 Homography<double> texels_around(const Surfaces& surfaces, std::uint32_t triangle,
                                  const Point<double>& centre);

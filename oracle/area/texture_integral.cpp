@@ -1,37 +1,35 @@
 #include "oracle/area/texture_integral.h"
 
 #include <cmath>
-#include <numbers>
-#include <vector>
 
 #include "oracle/area/bilinear_moments.h"
+#include "oracle/area/pixel_weight.h"
 #include "oracle/area/texel_walk.h"
 
 namespace zproof::oracle::area {
 
 namespace {
 
-enum class Weight { uniform, gaussian };
-
-/// The weight of the disk alone, as a surface without a texture.
-double weight_within(const Polygon<double>& piece) {
+/// What a piece weighs, px^2.
+double mass(const Polygon<double>& piece, const PixelWeight& weight) {
+    if (weight.at == nullptr) return area_of(piece);
     const Affine<double> one{0, 0, 1};
-    return gaussian_moments(piece, {one, one, one}).one;
+    return weighted_moments(piece, {one, one, one}, weight).one;
 }
 
-/// Sums texels times areas, or times the weight there.
+/// Sums texels times what they weigh.
 struct NearestSum {
     const SurfaceColour& colour;
     Cell base;
-    Weight weight = Weight::uniform;
+    const PixelWeight& weight;
     glm::dvec3 sum{0};
 
     void part(const Cell& cell, const Polygon<double>& polygon) {
-        sum += (weight == Weight::uniform ? area_of(polygon) : weight_within(polygon)) *
+        sum += mass(polygon, weight) *
                colour.texel(colour.column(base.column + cell.column), colour.row(base.row + cell.row));
     }
     bool takes(const TexelLattice<double>&, std::int64_t, std::int64_t, std::int64_t) const {
-        return weight == Weight::uniform;
+        return weight.at == nullptr;
     }
     void whole(const TexelLattice<double>& lattice, std::int64_t row, std::int64_t first, std::int64_t last) {
         const int in_row = colour.row(base.row + row);
@@ -41,20 +39,18 @@ struct NearestSum {
     }
 };
 
-/// Tells areas instead.
+/// Tells what they weigh instead.
 struct NearestWeights {
     Cell base;
+    const PixelWeight& weight;
     const CellVisit& visit;
-    Weight weight = Weight::uniform;
 
-    void tell(const Cell& cell, double area) const {
-        visit({base.column + cell.column, base.row + cell.row}, area);
+    void tell(const Cell& cell, double mass) const {
+        visit({base.column + cell.column, base.row + cell.row}, mass);
     }
-    void part(const Cell& cell, const Polygon<double>& polygon) const {
-        tell(cell, weight == Weight::uniform ? area_of(polygon) : weight_within(polygon));
-    }
+    void part(const Cell& cell, const Polygon<double>& polygon) const { tell(cell, mass(polygon, weight)); }
     bool takes(const TexelLattice<double>&, std::int64_t, std::int64_t, std::int64_t) const {
-        return weight == Weight::uniform;
+        return weight.at == nullptr;
     }
     void whole(const TexelLattice<double>& lattice, std::int64_t row, std::int64_t first,
                std::int64_t last) const {
@@ -104,7 +100,7 @@ struct BilinearPatches {
     Sink& sink;
     Homography<double> map;
     Cell base;
-    Weight weight;
+    const PixelWeight& weight;
 
     void add(const Cell& cell, const BilinearMoments& m) {
         sink.add({base.column + cell.column, base.row + cell.row}, PatchWeights(m));
@@ -112,12 +108,12 @@ struct BilinearPatches {
     void part(const Cell& cell, const Polygon<double>& polygon) {
         const Homography<double> within{from_line(map.u, cell.column, map.w),
                                         from_line(map.v, cell.row, map.w), map.w};
-        add(cell, weight == Weight::uniform ? bilinear_moments(polygon, within)
-                                            : gaussian_moments(polygon, within));
+        add(cell, weight.at == nullptr ? bilinear_moments(polygon, within)
+                                       : weighted_moments(polygon, within, weight));
     }
     bool takes(const TexelLattice<double>& lattice, std::int64_t row, std::int64_t first,
                std::int64_t last) const {
-        return weight == Weight::uniform && WholeCellMoments(lattice).holds_for(row, first, last);
+        return weight.at == nullptr && WholeCellMoments(lattice).holds_for(row, first, last);
     }
     void whole(const TexelLattice<double>& lattice, std::int64_t row, std::int64_t first, std::int64_t last) {
         const WholeCellMoments moments(lattice);
@@ -126,44 +122,27 @@ struct BilinearPatches {
 };
 
 template <class Sink>
-void walk_patches(Sink& sink, const Polygon<double>& piece, const Homography<double>& texels, Weight weight) {
+void walk_patches(Sink& sink, const Polygon<double>& piece, const Homography<double>& texels,
+                  const PixelWeight& weight) {
     const Affine<double> half = 0.5 * texels.w;
     const auto [map, base] = rebased<double>({texels.u - half, texels.v - half, texels.w}, piece[0]);
     BilinearPatches<Sink> patches{sink, map, base, weight};
     TexelWalk<double, BilinearPatches<Sink>>(map, patches).rows(piece);
 }
 
-glm::dvec3 patches(const SurfaceColour& colour, const Polygon<double>& piece,
-                   const Homography<double>& texels, Weight weight) {
+glm::dvec3 sum_of_patches(const SurfaceColour& colour, const Polygon<double>& piece,
+                          const Homography<double>& texels, const PixelWeight& weight) {
     ColourSum sum{colour};
     walk_patches(sum, piece, texels, weight);
-    return sum.sum * colour.factor;
+    return sum.sum;
 }
 
-/// The disk of radius 1 px in squares of 1/4 px; its rim is a regular polygon whose corners lie on it.
-std::vector<Polygon<double>> disk_blocks() {
-    constexpr int rim_corners = 64, blocks_across = 8;
-    constexpr double side = 2.0 / blocks_across;
-    std::vector<Polygon<double>> blocks;
-    for (int row = 0; row < blocks_across; ++row)
-        for (int column = 0; column < blocks_across; ++column) {
-            const double left = column * side - 1, top = row * side - 1, right = left + side,
-                         bottom = top + side;
-            Polygon<double> block{{left, top}, {right, top}, {right, bottom}, {left, bottom}};
-            for (int i = 0; i < rim_corners; ++i) {
-                const double angle = (2 * i + 1) * std::numbers::pi / rim_corners;
-                block = cut(block, Affine<double>{-std::cos(angle), -std::sin(angle),
-                                                  std::cos(std::numbers::pi / rim_corners)})
-                            .inside;
-            }
-            if (block.size() > 2) blocks.push_back(block);
-        }
-    return blocks;
-}
-
-const std::vector<Polygon<double>>& blocks() {
-    static const std::vector<Polygon<double>> made = disk_blocks();
-    return made;
+glm::dvec3 sum_of_texels(const SurfaceColour& colour, const Polygon<double>& piece,
+                         const Homography<double>& texels, const PixelWeight& weight) {
+    const auto [map, base] = rebased(texels, piece[0]);
+    NearestSum sum{colour, base, weight};
+    TexelWalk<double, NearestSum>(map, sum).rows(piece);
+    return sum.sum;
 }
 
 /// The intersection of two convex polygons; `by` has its corners in clockwise order (y down).
@@ -176,99 +155,43 @@ Polygon<double> common(Polygon<double> polygon, const Polygon<double>& by) {
     return polygon;
 }
 
-}  // namespace
-
-glm::dvec3 bilinear_integral(const SurfaceColour& colour, const Polygon<double>& piece,
-                             const Homography<double>& texels) {
-    if (colour.image == nullptr) return area_of(piece) * colour.factor;
-    return patches(colour, piece, texels, Weight::uniform);
+/// The parts of a piece in the weight's blocks.
+template <class Visit>
+void for_each_part(const Polygon<double>& piece, const PixelWeight& weight, const Visit& visit) {
+    if (weight.blocks.empty()) return visit(piece);
+    for (const Polygon<double>& block : weight.blocks)
+        if (const Polygon<double> part = common(piece, block); part.size() > 2) visit(part);
 }
 
-namespace {
+}  // namespace
 
-/// The sum over the disk's blocks of what a part of the piece gives.
-template <class OfPart>
-glm::dvec3 over_the_disk(const SurfaceColour& colour, const Polygon<double>& piece, const OfPart& of_part) {
+glm::dvec3 colour_integral(const SurfaceColour& colour, const Polygon<double>& piece,
+                           const Homography<double>& texels, Reconstruction reconstruction) {
+    const PixelWeight& weight = weight_of(reconstruction);
     glm::dvec3 sum{0};
-    for (const Polygon<double>& block : blocks()) {
-        const Polygon<double> part = common(piece, block);
-        if (part.size() < 3) continue;
-        sum += colour.image == nullptr ? weight_within(part) * colour.factor : of_part(part);
-    }
-    return sum;
-}
-
-/// Sums over the texels of a piece, under a weight.
-glm::dvec3 texels_of(const SurfaceColour& colour, const Polygon<double>& piece,
-                     const Homography<double>& texels, Weight weight) {
-    const auto [map, base] = rebased(texels, piece[0]);
-    NearestSum sum{colour, base, weight};
-    TexelWalk<double, NearestSum>(map, sum).rows(piece);
-    return sum.sum * colour.factor;
-}
-
-}  // namespace
-
-glm::dvec3 gaussian_integral(const SurfaceColour& colour, const Polygon<double>& piece,
-                             const Homography<double>& texels) {
-    return over_the_disk(colour, piece, [&](const Polygon<double>& part) {
-        return patches(colour, part, texels, Weight::gaussian);
+    for_each_part(piece, weight, [&](const Polygon<double>& part) {
+        if (colour.image == nullptr)
+            sum += mass(part, weight);
+        else
+            sum += is_of_nearest(reconstruction) ? sum_of_texels(colour, part, texels, weight)
+                                                 : sum_of_patches(colour, part, texels, weight);
     });
+    return sum * colour.factor;
 }
 
-glm::dvec3 gaussian_integral_of_nearest(const SurfaceColour& colour, const Polygon<double>& piece,
-                                        const Homography<double>& texels) {
-    return over_the_disk(colour, piece, [&](const Polygon<double>& part) {
-        return texels_of(colour, part, texels, Weight::gaussian);
+void visit_weights(const Polygon<double>& piece, const Homography<double>& texels,
+                   Reconstruction reconstruction, const CellVisit& visit) {
+    const PixelWeight& weight = weight_of(reconstruction);
+    for_each_part(piece, weight, [&](const Polygon<double>& part) {
+        if (is_of_nearest(reconstruction)) {
+            const auto [map, base] = rebased(texels, part[0]);
+            NearestWeights weights{base, weight, visit};
+            TexelWalk<double, NearestWeights>(map, weights).rows(part);
+        } else {
+            PatchVisit sink{visit};
+            walk_patches(sink, part, texels, weight);
+        }
     });
-}
-
-double gaussian_total() {
-    static const double total = [] {
-        double sum = 0;
-        for (const Polygon<double>& block : blocks()) sum += weight_within(block);
-        return sum;
-    }();
-    return total;
-}
-
-glm::dvec3 nearest_integral(const SurfaceColour& colour, const Polygon<double>& piece,
-                            const Homography<double>& texels) {
-    if (colour.image == nullptr) return area_of(piece) * colour.factor;
-    return texels_of(colour, piece, texels, Weight::uniform);
-}
-
-void visit_nearest_weights(const Polygon<double>& piece, const Homography<double>& texels,
-                           const CellVisit& visit) {
-    const auto [map, base] = rebased(texels, piece[0]);
-    NearestWeights weights{base, visit};
-    TexelWalk<double, NearestWeights>(map, weights).rows(piece);
-}
-
-void visit_bilinear_weights(const Polygon<double>& piece, const Homography<double>& texels,
-                            const CellVisit& visit) {
-    PatchVisit sink{visit};
-    walk_patches(sink, piece, texels, Weight::uniform);
-}
-
-void visit_gaussian_weights(const Polygon<double>& piece, const Homography<double>& texels,
-                            const CellVisit& visit) {
-    PatchVisit sink{visit};
-    for (const Polygon<double>& block : blocks()) {
-        const Polygon<double> part = common(piece, block);
-        if (part.size() > 2) walk_patches(sink, part, texels, Weight::gaussian);
-    }
-}
-
-void visit_gaussian_weights_of_nearest(const Polygon<double>& piece, const Homography<double>& texels,
-                                       const CellVisit& visit) {
-    for (const Polygon<double>& block : blocks()) {
-        const Polygon<double> part = common(piece, block);
-        if (part.size() < 3) continue;
-        const auto [map, base] = rebased(texels, part[0]);
-        NearestWeights weights{base, visit, Weight::gaussian};
-        TexelWalk<double, NearestWeights>(map, weights).rows(part);
-    }
 }
 
 double texel_cost(const Polygon<double>& piece, const Homography<double>& texels) {

@@ -42,6 +42,16 @@ std::vector<Node> degree_8() {
     return rule;
 }
 
+std::vector<Node> degree_10() {
+    std::vector<Node> rule{{1.0 / 3, 1.0 / 3, 1.0 / 3, 0.09081799038275358}};
+    add_three(rule, 0.48557763338365738, 0.03672595775646670);
+    add_three(rule, 0.10948157548503705, 0.04532105943552793);
+    add_six(rule, 0.30793983876412095, 0.14170721941487995, 0.07275791684542011);
+    add_six(rule, 0.24667256063990269, 0.02500353476268639, 0.02832724253105748);
+    add_six(rule, 0.06680325101220027, 0.00954081540029946, 0.00942166696373282);
+    return rule;
+}
+
 }  // namespace
 
 std::span<const Node> rule_of_degree_5() {
@@ -51,6 +61,11 @@ std::span<const Node> rule_of_degree_5() {
 
 std::span<const Node> rule_of_degree_8() {
     static const std::vector<Node> rule = degree_8();
+    return rule;
+}
+
+std::span<const Node> rule_of_degree_10() {
+    static const std::vector<Node> rule = degree_10();
     return rule;
 }
 

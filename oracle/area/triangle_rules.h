@@ -16,4 +16,7 @@ std::span<const Node> rule_of_degree_5();
 /// Degree 8, sixteen nodes (Dunavant 1985). All weights are positive.
 std::span<const Node> rule_of_degree_8();
 
+/// Degree 10, twenty-five nodes (Dunavant 1985). All weights are positive.
+std::span<const Node> rule_of_degree_10();
+
 }  // namespace zproof::oracle::area

@@ -109,5 +109,5 @@ def test_a_program_that_is_not_there(ground, monkeypatch):
 
 
 def test_unknown_reconstruction(ground):
-    with pytest.raises(ValueError, match="expected N, B, G or GN"):
+    with pytest.raises(ValueError, match="expected one of N, B, G, GN, M, BH"):
         filters.truth(*ground, "X")

@@ -306,7 +306,7 @@ def save(drawn, folder, verdict):
 def truth(drawn, _):
     made = a_scene(drawn)
     mean, half = zproof.filters.truth(drawn.word(made), drawn.word(a_view(drawn, (9, 7))),
-                                      drawn.word(drawn.one_of(list("NBG") + ["GN"])),
+                                      drawn.word(drawn.one_of(["N", "B", "G", "GN", "M", "BH"])),
                                       half_width=True)
     assert mean.shape == (7, 9, 3) and half.shape == (7, 9)
 

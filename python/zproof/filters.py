@@ -56,8 +56,8 @@ class Check:
 def truth(scene, view, reconstruction="B", *, half_width=False):
     """The mean of the visible surfaces' albedo over each pixel, in linear light: float32 (height, width, 3).
 
-    reconstruction: "N" (texels are squares), "B" (bilinear), "G" (bilinear, under a Gaussian) or "GN"
-    (docs/area-integral.md). With half_width=True a tuple: the truth, and half the 95 % confidence interval of each
+    reconstruction: "N" (texels are squares), "B" (bilinear), "G" (bilinear, under a Gaussian), "GN", "M" (bilinear,
+    under Mitchell's filter: values may leave 0 to 1) or "BH" (under Blackman and Harris's) (docs/area-integral.md). With half_width=True a tuple: the truth, and half the 95 % confidence interval of each
     pixel's worst channel, float32 (height, width), 0 where the integral is exact. Raises ValueError.
     """
     mean, half = _zproof.truth(scene, view, reconstruction)

@@ -14,7 +14,7 @@ namespace zproof {
 /// What holds for the whole view.
 struct FilterViewFacts {
     std::string scene, view;
-    std::string truth;  ///< "N", "B" or "G"
+    std::string truth;  ///< "N" to "BH" (oracle::reconstructions)
     std::string
         explain;  ///< "zproof filters explain worked --view phi-0"; pixel and method are still missing
 };

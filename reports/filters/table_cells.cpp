@@ -5,6 +5,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <map>
 
 #include "reports/wording.h"
 #include "study/filters/claims.h"
@@ -144,21 +145,19 @@ TableCells table_cells(const StudyResults& results, const ViewStudy& view, const
 }
 
 std::string truth_in_words(const std::string& truth) {
-    if (truth == "N")
-        return "GT-N: the exact mean, over the pixel's square in screen space, of the texture as squares of "
-               "one "
-               "colour";
-    if (truth == "B")
-        return "GT-B: the exact mean, over the pixel's square in screen space, of the bilinearly "
-               "interpolated "
-               "texture";
-    if (truth == "GN")
-        return "GT-GN: the mean under a Gaussian of radius 1 pixel, in screen space, of the texture as "
-               "squares of "
-               "one colour";
-    return "GT-G: the mean under a Gaussian of radius 1 pixel, in screen space, of the bilinearly "
-           "interpolated "
-           "texture";
+    const std::string bilinear = ", in screen space, of the bilinearly interpolated texture",
+                      nearest = ", in screen space, of the texture as squares of one colour",
+                      gaussian = ": the mean under a Gaussian of radius 1 pixel";
+    const std::map<std::string, std::string> words{
+        {"N", ": the exact mean, over the pixel's square" + nearest},
+        {"B", ": the exact mean, over the pixel's square" + bilinear},
+        {"G", gaussian + bilinear},
+        {"GN", gaussian + nearest},
+        {"M", ": the mean under Mitchell and Netravali's filter of radius 2 pixels" + bilinear},
+        {"BH", ": the mean under the Blackman-Harris filter of 3 x 3 pixels" + bilinear},
+    };
+    const auto found = words.find(truth);
+    return "GT-" + truth + (found == words.end() ? "" : found->second);
 }
 
 std::string bytes_in_words(std::uint64_t bytes) {

@@ -89,7 +89,7 @@ struct StudyResults {
     static constexpr const char* schema_version = "1.0";
     std::string version, commit, command, compiler;
     std::string processor, date;  ///< "AMD EPYC", "2026-11-26T18:09:00Z"
-    std::string truth;            ///< "N", "B", "G" or "GN"
+    std::string truth;            ///< "N" to "BH" (oracle::reconstructions)
     int threads = 0;
     double seconds = 0;
     bool is_complete = true;  ///< false: interrupted

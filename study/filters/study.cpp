@@ -139,15 +139,9 @@ class MeasuredView {
 
 }  // namespace
 
-std::string letter_of(oracle::Reconstruction truth) {
-    const std::string texels = oracle::is_of_nearest(truth) ? "N" : "B";
-    if (!oracle::is_gaussian(truth)) return texels;
-    return texels == "N" ? "GN" : "G";
-}
-
 StudyResults begun(const Plan& plan) {
     StudyResults results;
-    results.truth = letter_of(plan.truth);
+    results.truth = oracle::letters_of(plan.truth);
     for (const PictureMetric& m : picture_metrics())
         results.metrics.push_back({std::string{m.name}, std::string{m.definition}, std::string{m.source},
                                    m.better == Better::higher, m.decimals});

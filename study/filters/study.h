@@ -7,9 +7,6 @@
 
 namespace zproof::study {
 
-/// "N", "B" or "G", as --truth takes it.
-std::string letter_of(oracle::Reconstruction truth);
-
 /// What stands before any view is studied: the cards of metrics, regions and methods.
 StudyResults begun(const Plan& plan);
 

@@ -176,6 +176,8 @@ TEST(TriangleRules, AreExactUpToTheirDegree) {
     EXPECT_GT(worst_monomial(rule_of_degree_5(), 6), 1e-6);
     EXPECT_LT(worst_monomial(rule_of_degree_8(), 8), 1e-14);  // given to 15 digits
     EXPECT_GT(worst_monomial(rule_of_degree_8(), 9), 1e-8);
+    EXPECT_LT(worst_monomial(rule_of_degree_10(), 10), 1e-15);
+    EXPECT_GT(worst_monomial(rule_of_degree_10(), 11), 1e-8);
 }
 
 /// Triangles three by three corners, each of a material of its own: white, then red, then green.
@@ -256,19 +258,19 @@ TEST(AreaIntegral, AStepInDepthIsASilhouetteInOneMaterialToo) {
     EXPECT_DOUBLE_EQ(truth.mean.at(2, 1).g, 1);
 }
 
-/// The square of side 2 px is what decides, whatever the truth looks at.
+/// The square of side 4 px is what decides, whatever the truth looks at.
 TEST(AreaIntegral, SurfacesAroundAPixelDoNotDependOnTheTruth) {
     const Scene scene =
-        painted({{0.3f, -40, -1}, {0.3f, 40, -1}, {-80, 0, -1}});  // to the left of raster 2.3
-    const View view = unit_pixels(4, 4);
+        painted({{0.3f, -40, -1}, {0.3f, 40, -1}, {-80, 0, -1}});  // to the left of raster 4.3
+    const View view = unit_pixels(8, 4);
     const Plane<TruthKind> around = surfaces_around(scene, view);
-    EXPECT_EQ(around.at(0, 1), TruthKind::interior);
-    EXPECT_EQ(around.at(1, 1), TruthKind::silhouette);  // reaches to 2.5
-    EXPECT_EQ(around.at(2, 1), TruthKind::silhouette);
-    EXPECT_EQ(around.at(3, 1), TruthKind::background);  // begins at 2.5
-    const AreaTruth gaussian = area_truth(scene, view, Reconstruction::gaussian);
+    for (int x = 0; x < 8; ++x)
+        EXPECT_EQ(around.at(x, 1), x <= 1   ? TruthKind::interior    // reaches to 3.5
+                                   : x >= 6 ? TruthKind::background  // begins at 4.5
+                                            : TruthKind::silhouette);
+    const AreaTruth widest = area_truth(scene, view, Reconstruction::mitchell);
     for (std::size_t i = 0; i < around.pixels().size(); ++i)
-        EXPECT_EQ(around.pixels()[i], gaussian.kind.pixels()[i]) << i;
+        EXPECT_EQ(around.pixels()[i], widest.kind.pixels()[i]) << i;
 }
 
 TEST(AreaIntegral, TooManyTrianglesAreEstimated) {

@@ -17,10 +17,8 @@ Scene noisy_ground() {
         64, {.image = noise(columns, rows, 5), .per_unit = 0.11, .phi_degrees = 25, .offset = {0.3, 0.71}});
 }
 
-class WeightsOfEveryReconstruction : public testing::TestWithParam<Reconstruction> {};
-INSTANTIATE_TEST_SUITE_P(AreaWeights, WeightsOfEveryReconstruction,
-                         testing::Values(Reconstruction::nearest, Reconstruction::bilinear,
-                                         Reconstruction::gaussian));
+class WeightsOfEveryReconstruction : public testing::TestWithParam<NamedReconstruction> {};
+INSTANTIATE_TEST_SUITE_P(AreaWeights, WeightsOfEveryReconstruction, testing::ValuesIn(reconstructions));
 
 int inside(std::int64_t index, int size) { return int(((index % size) + size) % size); }
 
@@ -34,8 +32,8 @@ glm::dvec3 weighted(const std::vector<TexelWeight>& weights, const texture::Line
 TEST_P(WeightsOfEveryReconstruction, WeightsOfTexelsAddUpToTheMean) {
     const Scene scene = noisy_ground();
     const View view = ground_view(24, 20, 20);
-    const AreaTruth truth = area_truth(scene, view, GetParam());
-    const AreaWeights weights(scene, view, GetParam());
+    const AreaTruth truth = area_truth(scene, view, GetParam().reconstruction);
+    const AreaWeights weights(scene, view, GetParam().reconstruction);
     const texture::LinearImage image = texture::linear_image({columns, rows, scene.images[0].texels});
     int compared = 0, sampled = 0;
     for (int y = 0; y < view.height; ++y)
