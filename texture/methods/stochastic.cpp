@@ -165,11 +165,11 @@ std::vector<Method> stochastic_methods() {
              {.footprint = "The longer of the pixel's two steps.",
               .lod = "log2 of its length in texels.",
               .taps =
-                  "The mean of spp samples, the frames of an accumulation. A sample is one texel, decided "
-                  "as by stochastic-interleaved, but by the number frac((r + 1/2) / 4096 + (seed + sample) "
-                  "2654435769 / 2^32): r is the rank of pixel (x mod 64, y mod 64) in a void-and-cluster "
-                  "mask of 64 x 64 (texture/void_and_cluster.h), and every frame moves it on by the golden "
-                  "ratio. Averaged over frames and neighbouring pixels it nears trilinear-gl.",
+                  "The mean of spp samples, the frames of an accumulation. A sample is one texel, decided as "
+                  "by stochastic-interleaved, but by another number: frac((r + 1/2) / 4096 + (seed + sample) "
+                  "2654435769 / 2^32). r is the rank of pixel (x mod 64, y mod 64) in a void-and-cluster "
+                  "mask of 64 x 64 (texture/void_and_cluster.h). Every frame moves the number on by the "
+                  "golden ratio. Averaged over frames and neighbouring pixels it nears trilinear-gl.",
               .source = "Ulichney 1993, The void-and-cluster method for dither array generation; Pharr, "
                         "Wronski, Salvi and Fajardo 2024, Filtering After Shading With Stochastic Texture "
                         "Filtering, for blue noise; mask and frames are ours"},
