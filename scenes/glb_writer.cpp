@@ -6,14 +6,14 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <sstream>
 #include <stdexcept>
-#include <system_error>
 
+#include "frame/frame_error.h"
+#include "frame/whole_file.h"
 #include "image_io/image_io.h"
 #include "scenes/scene_error.h"
 #include "scenes/view_document.h"
@@ -310,21 +310,12 @@ class GlbModel {
     std::vector<Attribute> uv_;
 };
 
-/// The bytes of a GLB.
-/// Writes the file under another name first, so that a reader sees the old file or the whole new one.
-void write_atomically(const std::filesystem::path& file, const std::string& content) {
-    std::filesystem::path unfinished = file;
-    unfinished += ".part";
-    std::ofstream out(unfinished, std::ios::binary | std::ios::trunc);
-    out.write(content.data(), static_cast<std::streamsize>(content.size()));
-    out.close();
-    std::error_code error;
-    if (out) std::filesystem::rename(unfinished, file, error);
-    if (out && !error) return;
-    std::error_code ignored;
-    std::filesystem::remove(unfinished, ignored);
-    throw SceneError(file.string() + ": cannot write " + std::to_string(content.size()) +
-                     " bytes; check that the folder exists, may be written and has room");
+void write_whole(const std::filesystem::path& file, const std::string& content) {
+    try {
+        write_whole_file(file, content);
+    } catch (const FrameError& e) {
+        throw SceneError(e.what());
+    }
 }
 
 /// The scene's name becomes the name of two files, and a JSON string.
@@ -353,14 +344,14 @@ std::string glb_bytes(const Scene& scene) {
 }
 
 void write_glb_file(const std::filesystem::path& file, const Scene& scene) {
-    write_atomically(file, glb_bytes(scene));
+    write_whole(file, glb_bytes(scene));
 }
 
 void write_glb(const std::filesystem::path& folder, const Loaded& loaded) {
     const std::string& name = loaded.scene.name;
     require_file_name(name);
     write_glb_file(folder / (name + ".glb"), loaded.scene);
-    write_atomically(folder / (name + ".view.json"), view_document(name + ".glb", loaded.views));
+    write_whole(folder / (name + ".view.json"), view_document(name + ".glb", loaded.views));
 }
 
 }  // namespace zproof
