@@ -63,8 +63,8 @@ void add_angles(std::vector<Rule>& rules) {
 std::vector<Rule> all_rules() {
     std::vector<Rule> rules{
         {{"all", "every pixel of the image"}, [](const PixelFacts&) { return true; }},
-        {{"interior", "one continuous textured surface within 1 px of the centre"}, is_interior},
-        {{"silhouette", "several surfaces, or an edge, within 1 px of the centre"},
+        {{"interior", "one continuous textured surface within 2 px of the centre"}, is_interior},
+        {{"silhouette", "several surfaces, or an edge, within 2 px of the centre"},
          [](const PixelFacts& p) { return p.around == TruthKind::silhouette; }},
         {{"sampled", "the truth is an estimate from samples"},
          [](const PixelFacts& p) { return p.truth == TruthKind::sampled; }},

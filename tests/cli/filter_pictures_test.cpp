@@ -189,7 +189,7 @@ TEST(FilterTable, ShowsTheColumnsThatOneWantsTheBestFirst) {
     const Ran table =
         run(folder, {"filters", "table", "study", "--columns", "psnr,texels", "--sort", "psnr"});
     ASSERT_EQ(table.exit_code, 0) << table.err;
-    EXPECT_NE(table.out.find("rank  method    psnr  texels\n"), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("rank  method     psnr  texels\n"), std::string::npos) << table.out;
     EXPECT_LT(table.out.find("bilinear"), table.out.find("nearest")) << table.out;
     const Ran unknown = run(folder, {"filters", "table", "study", "--columns", "psnrr"});
     EXPECT_EQ(unknown.exit_code, 2);

@@ -10,6 +10,7 @@
 #include "image_io/image_io.h"
 #include "oracle/area_integral.h"
 #include "reports/filters/json.h"
+#include "reports/filters/table_cells.h"
 #include "scenes/filter_scenes.h"
 #include "scenes/scene_hash.h"
 #include "scenes/view_file.h"
@@ -104,6 +105,16 @@ TEST(Filters, RegionsHaveTheSamePixelsWhateverTheTruth) {
                 if (score.region != "sampled") pixels_of[view.view + score.region].insert(score.pixels);
     }
     for (const auto& [region, pixels] : pixels_of) EXPECT_EQ(pixels.size(), 1u) << region;
+}
+
+TEST(Filters, EveryTruthIsToldInWords) {
+    std::set<std::string> all;
+    for (const auto& [letters, reconstruction] : oracle::reconstructions) {
+        const std::string words = truth_in_words(std::string{letters});
+        EXPECT_TRUE(words.starts_with("GT-" + std::string{letters} + ": the ")) << words;
+        all.insert(words);
+    }
+    EXPECT_EQ(all.size(), oracle::reconstructions.size());
 }
 
 TEST(Filters, PhotographsAreToldApart) {
