@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "math/mixed.h"
+#include "texture/constrained_texels.h"
 #include "texture/methods/tap_rule.h"
 #include "texture/summed_area.h"
 
@@ -173,6 +174,32 @@ texture::Method summed_box(const SummedBox& parts) {
                 table->mean(texture::covered({low.x, high.x}, o.addressing.u, table->width()),
                             texture::covered({low.y, low.y + kept}, o.addressing.v, table->height()));
             return mean * (kept / (side.y + parts.rows_counted));
+        };
+    });
+}
+
+texture::Method constrained_freely() {
+    return made_of([](const LinearImage& image, const FilterOptions& o) -> Colour {
+        return [levels = texture::mip_chain(image, o.mip_kernel, o.addressing), wrap = o.addressing, o,
+                table = texture::ConstrainedTexels{4, texture::WeightTotal::free}](const Footprint& f) {
+            const double lod =
+                std::clamp(clamped_lod(std::log2(longer_step(f)), o), 0.0, double(levels.size()) - 1);
+            const auto level = std::size_t(lod);
+            const int side = int(std::round(8 * std::exp2(lod - double(level))));
+            const glm::dvec2 cell = glm::floor(8.0 * f.centre * size_of(levels[level]) / size_of(levels[0]));
+            if (side == 8) return bilinear(levels[level], wrap, (cell + 0.5) / 8.0);
+            const glm::dvec2 within = cell - 16.0 * glm::floor(cell / 16.0);
+            glm::dvec4 sum{0};
+            for (const auto& texel : table.at(side, int(within.x), int(within.y))) {
+                const bool is_finer = texel.level == texture::ConstrainedTexel::Level::finer;
+                const LinearImage& from = levels[is_finer ? level : level + 1];
+                const glm::dvec2 holder = glm::floor(cell / (is_finer ? 8.0 : 16.0));
+                sum += texel.weight *
+                       glm::dvec4{from.at(
+                           texture::wrapped(wrap.u, std::int64_t(holder.x) + texel.column, from.width),
+                           texture::wrapped(wrap.v, std::int64_t(holder.y) + texel.row, from.height))};
+            }
+            return sum;
         };
     });
 }

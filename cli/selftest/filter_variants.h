@@ -51,6 +51,9 @@ struct SummedBox {
 };
 texture::Method summed_box(const SummedBox& parts);
 
+/// Cardinality-constrained, four texels, of weights whose sum is free. For levels that halve evenly.
+texture::Method constrained_freely();
+
 /// Stochastic bilinear, one sample; column and row are decided by the same number.
 texture::Method drawn_by_one_number();
 

@@ -63,6 +63,7 @@ struct Definition {
 std::vector<Definition> point_definitions();
 std::vector<Definition> separable_definitions();
 std::vector<Definition> mip_definitions();
+std::vector<Definition> cardinality_definitions();
 std::vector<Definition> ripmap_definitions();
 std::vector<Definition> anisotropic_definitions();
 std::vector<Definition> openimageio_definitions();
