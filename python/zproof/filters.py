@@ -57,8 +57,9 @@ def truth(scene, view, reconstruction="B", *, half_width=False):
     """The mean of the visible surfaces' albedo over each pixel, in linear light: float32 (height, width, 3).
 
     reconstruction: "N" (texels are squares), "B" (bilinear), "G" (bilinear, under a Gaussian), "GN", "M" (bilinear,
-    under Mitchell's filter: values may leave 0 to 1) or "BH" (under Blackman and Harris's) (docs/area-integral.md). With half_width=True a tuple: the truth, and half the 95 % confidence interval of each
-    pixel's worst channel, float32 (height, width), 0 where the integral is exact. Raises ValueError.
+    under Mitchell's filter: values may leave 0 to 1) or "BH" (bilinear, under the Blackman-Harris filter). See
+    docs/area-integral.md. With half_width=True a tuple: the truth, and half the 95 % confidence interval of each
+    pixel's worst channel, or the integral's bound; float32 (height, width). Raises ValueError.
     """
     mean, half = _zproof.truth(scene, view, reconstruction)
     return (mean, half) if half_width else mean
