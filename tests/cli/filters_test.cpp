@@ -98,7 +98,7 @@ TEST(Filters, RegionsHaveTheSamePixelsWhateverTheTruth) {
         Words words = small;
         words[2] = "tunnel";
         words.erase(words.begin() + 3, words.begin() + 5);  // --view
-        words[4] = words[6] = "24";                         // --width, --height
+        words[4] = words[6] = "16";                         // --width, --height
         words[10] = "0";                                    // --flicker
         words.insert(words.end(), {"--truth", std::string{truth}});
         ASSERT_EQ(run(folder, words).exit_code, 0);
