@@ -7,6 +7,7 @@
 #include "reports/filters/evidence_planes.h"
 #include "reports/filters/pooled.h"
 #include "reports/filters/table_cells.h"
+#include "reports/filters/tables.h"
 #include "reports/page_parts.h"
 #include "reports/wording.h"
 #include "study/filters/claims.h"
