@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "rasterizer/textured_surface.h"
 #include "rasterizer/triangle_footprints.h"
-#include "rasterizer/wrap_mode.h"
 
 namespace zproof::rasterizer {
 
@@ -19,10 +19,9 @@ std::vector<std::optional<texture::Sampler>> prepared(const Scene& scene, const 
         const Texture& texture = scene.materials[i].base_color;
         if (texture.image == Texture::none) continue;
         const Image& image = scene.images[std::size_t(texture.image)];
-        texture::FilterOptions options = texturing.options;
-        options.addressing = addressing_of(texture.sampler);
-        samplers[i] = texturing.method.prepare(
-            texture::linear_image({image.width, image.height, image.texels}), options);
+        samplers[i] =
+            texturing.method.prepare(texture::linear_image({image.width, image.height, image.texels}),
+                                     options_for(scene, texture, texturing.options));
     }
     return samplers;
 }

@@ -11,7 +11,7 @@ namespace zproof::rasterizer {
 /// How textures are read.
 struct Texturing {
     texture::Method method;
-    texture::FilterOptions options{};  ///< `addressing` is the scene's own, texture by texture
+    texture::FilterOptions options{};  ///< `addressing` and `surface` are the scene's own
     texture::Derivatives derivatives = texture::Derivatives::analytic;
     UvInterpolation uv = UvInterpolation::perspective;
 };

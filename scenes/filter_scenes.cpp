@@ -82,6 +82,11 @@ constexpr std::array filter_generators{
         "Noise of 257 x 129 texels, one more than a power of two, where a chain that drops columns "
         "loses most.",
         filters::npot_odd_plane},
+    FilterGenerator{
+        "uneven_strips",
+        "Dark strips a quarter as wide on the surface as light ones, of as many texels, show a chain that "
+        "takes all texels for equally large.",
+        filters::uneven_strips},
 };
 
 void check_size(const std::string& name, int width, int height) {

@@ -15,6 +15,7 @@
 
 #include "texture/footprint.h"
 #include "texture/linear_image.h"
+#include "texture/surface.h"
 
 namespace zproof::texture {
 
@@ -81,6 +82,7 @@ struct FilterOptions {
     std::uint32_t seed = 0;              ///< of their noise
     /// Levels 1 and on of a chain that is given, as mip_chain() requires them; null: made by mip_kernel.
     std::shared_ptr<const std::vector<LinearImage>> given_levels{};
+    Surface surface{};  ///< that shows the texture; null: not known
 };
 
 /// The definition as a reader needs it; docs/texture-filters.md is made of these.

@@ -42,6 +42,22 @@ Inject set(const std::function<void(FilterOptions&)>& change) {
     };
 }
 
+/// The right method, told of other surfaces that show the texture.
+Inject showing(const std::function<void(std::vector<texture::SurfaceTriangle>&)>& change) {
+    return [change](const FilterFixture& fixture, const Texturing& right) {
+        texture::Method wrong = right.method;
+        wrong.prepare = [change, right](const texture::LinearImage& image, FilterOptions options) {
+            options.surface = [change, surface = options.surface] {
+                std::vector<texture::SurfaceTriangle> all = surface();
+                change(all);
+                return all;
+            };
+            return right.method.prepare(image, options);
+        };
+        return drawn(fixture, {.method = wrong, .options = right.options});
+    };
+}
+
 /// The right method of another scene.
 Inject of(const std::function<void(Scene&)>& change) {
     return [change](const FilterFixture& fixture, const Texturing& right) {
@@ -345,6 +361,11 @@ std::vector<FilterFault> faults_of_textures() {
              Ground::odd_sizes},
             {"lanczos_for_box", "levels are made by Lanczos instead of the box", "trilinear-gl",
              set([](FilterOptions& o) { o.mip_kernel = texture::MipKernel::lanczos3; })},
+            {"texels_weighed_alike", "every texel counts alike, whatever it covers of the surface",
+             "trilinear-parameterization-aware", by("trilinear-gl")},
+            {"first_triangle_alone", "texels are weighed by the first triangle alone",
+             "trilinear-parameterization-aware",
+             showing([](std::vector<texture::SurfaceTriangle>& all) { all.resize(1); })},
             {"factor_ignored", "the material's factor is ignored", "bilinear",
              of([](Scene& s) { s.materials[0].base_color_factor = glm::vec4{1}; })},
             {"picture_of_8_bits", "the picture holds multiples of 1/255", "trilinear-gl",

@@ -6,19 +6,6 @@ namespace zproof::oracle::filter_reference {
 
 namespace {
 
-/// What a texel of the coarser level is made of along one axis.
-struct Source {
-    int index = 0;
-    double weight = 0;
-};
-using Sources = std::vector<Source>;
-
-/// How one axis shrinks.
-struct Axis {
-    int fine = 1, coarse = 1;
-    Wrap wrap = Wrap::repeat;
-};
-
 /// The exact overlap of texel [c, c + 1) of n with the fine texels, each n / fine_size wide: integers until
 /// the last quotient.
 Sources polyphase(int coarse, int coarse_size, int fine_size) {
@@ -62,16 +49,6 @@ Sources sources_of(ChainKernel kernel, int coarse, const Axis& axis) {
     return lanczos3(coarse, axis);
 }
 
-/// Units in the last place of what levels are kept as: relative, and the least.
-struct StoredUnit {
-    double relative, least;
-};
-
-/// What has fewer bits than float32 may be float16.
-StoredUnit stored_unit(double texel_bits) {
-    return {std::exp2(-texel_bits), texel_bits < FilterPrecision{}.texel_bits ? 0x1p-25 : 0x1p-149};
-}
-
 /// The nearest float16, to even (IEEE 754 binary16): 11 significant bits, multiples of 2^-24.
 double as_float16(double value) {
     const double step = std::ldexp(1.0, std::max(std::ilogb(value), -14) - 10);
@@ -82,6 +59,12 @@ IntervalImage as_float16(IntervalImage image) {
     for (IntervalImage::Texel& texel : image.texels)
         for (int c = 0; c < 3; ++c) texel.value[c] = texel.value[c] == 0 ? 0 : as_float16(texel.value[c]);
     return with_range(std::move(image));
+}
+
+}  // namespace
+
+StoredUnit stored_unit(double texel_bits) {
+    return {std::exp2(-texel_bits), texel_bits < FilterPrecision{}.texel_bits ? 0x1p-25 : 0x1p-149};
 }
 
 IntervalImage::Texel made_of(const IntervalImage& finer, const Sources& columns, const Sources& rows,
@@ -108,8 +91,6 @@ std::vector<Sources> all_sources(ChainKernel kernel, const Axis& axis) {
     for (int i = 0; i < axis.coarse; ++i) all.push_back(sources_of(kernel, i, axis));
     return all;
 }
-
-}  // namespace
 
 IntervalImage shrunk(const IntervalImage& finer, int width, int height, const Settings& settings) {
     const StoredUnit unit = stored_unit(settings.texel_bits);

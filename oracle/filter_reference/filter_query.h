@@ -33,6 +33,9 @@ struct Settings {
         given_levels{};      ///< 1 and on; null: made by kernel
     double texel_bits = 24;  ///< unit roundoff of levels above 0
     LevelFormat format = LevelFormat::float32;
+    /// Whose triangles show the texture, its image of this index; null: not known.
+    const Scene* scene = nullptr;
+    int image = 0;
     double texel_error =
         0;  ///< stored texels of level 0 are rounded by at most this much (a table of integers)
 };

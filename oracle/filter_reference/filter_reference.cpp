@@ -77,6 +77,8 @@ FilterReference::FilterReference(const Scene& scene, const View& view, const Def
         const Texture& texture = material.base_color;
         FilterSettings own = settings;
         own.wrap = {texture.sampler.wrap_u, texture.sampler.wrap_v};
+        own.scene = &scene;
+        own.image = texture.image;
         by_material_.emplace_back();
         draws_.emplace_back();
         if (!is_textured(scene, material)) continue;

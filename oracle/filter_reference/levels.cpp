@@ -6,7 +6,10 @@
 namespace zproof::oracle::filter_reference {
 
 Levels::Levels(const texture::LinearImage& image, const Settings& settings)
-    : settings_(settings), levels_(chain(image, settings)) {}
+    : Levels(chain(image, settings), settings) {}
+
+Levels::Levels(std::vector<IntervalImage> levels, const Settings& settings)
+    : settings_(settings), levels_(std::move(levels)) {}
 
 PermittedColours Levels::nearest_in(int level, const TexelInterval& place,
                                     const FilterPrecision& precision) const {

@@ -9,6 +9,7 @@ namespace zproof::oracle::filter_reference {
 class Levels {
   public:
     Levels(const texture::LinearImage& image, const Settings& settings);
+    Levels(std::vector<IntervalImage> levels, const Settings& settings);
 
     std::size_t count() const { return levels_.size(); }
     const IntervalImage& at(int level) const { return levels_[std::size_t(level)]; }

@@ -46,6 +46,15 @@ PermittedColours trilinear_by_cone(const Levels& levels, const FilterQuery& q) {
     return {levels.trilinear(level, q.footprint().centre, q.precision)};
 }
 
+/// trilinear-gl on a chain weighed by area.
+MethodReference parameterization_aware(const texture::LinearImage& image, const Settings& settings) {
+    return [levels = std::make_shared<const Levels>(chain_by_area(image, settings), settings)](
+               const FilterQuery& q) -> PermittedColours {
+        const PixelFootprint f = q.footprint();
+        return {levels->trilinear(level_at(LodRule::gl_maximum, *levels, q, f), f.centre, q.precision)};
+    };
+}
+
 }  // namespace
 
 std::vector<Definition> mip_definitions() {
@@ -57,6 +66,7 @@ std::vector<Definition> mip_definitions() {
             trilinear_definition("area", LodRule::root_of_area),
             trilinear_definition("pbrt", LodRule::pbrt),
             {"trilinear-ray-cone", over_levels(trilinear_by_cone)},
+            {"trilinear-parameterization-aware", parameterization_aware},
             trilinear_definition("mesa", LodRule::mesa_longer_step)};
 }
 

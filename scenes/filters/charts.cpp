@@ -103,4 +103,27 @@ Loaded seams(ImageSize size) {
     return mesh.finish({checks({})}, {facing_view(size)});
 }
 
+/// Six fields, across which a quarter of the texture to eight textures are seen. Strips of 8 texels lie by
+/// turns over one part and over four parts of the surface.
+Loaded uneven_strips(ImageSize size) {
+    TexturedMesh mesh("uneven_strips");
+    for (int step = 0; step < 6; ++step) {
+        const int count = 16 << step;
+        mesh.begin_part("textures " + std::to_string(1 << step) + " / 4", image_texture(0));
+        const Field field = field_of(size, {step % 3, step / 3}, {3, 2});
+        const glm::dvec2 extent = field.to - field.from;
+        const float bottom = float(count / 64.0 * extent.y / extent.x);
+        const auto corner = [&](int strip, float v) {
+            const double parts = strip / 2 * 5 + strip % 2;
+            return Corner{at_raster(size, {field.from.x + extent.x * parts / (count / 2 * 5),
+                                           v == 0 ? field.from.y : field.to.y}),
+                          {float(strip) / 64, v}};
+        };
+        for (int strip = 0; strip < count; ++strip)
+            mesh.quad(
+                {corner(strip, 0), corner(strip, bottom), corner(strip + 1, bottom), corner(strip + 1, 0)});
+    }
+    return mesh.finish({strips()}, {facing_view(size)});
+}
+
 }  // namespace zproof::filters

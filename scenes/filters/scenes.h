@@ -68,6 +68,7 @@ Loaded tilted_quads(ImageSize size);
 Loaded lod_ramp(ImageSize size);
 Loaded magnification(ImageSize size);
 Loaded seams(ImageSize size);
+Loaded uneven_strips(ImageSize size);
 
 // tunnel.cpp
 Loaded tunnel(ImageSize size);

@@ -102,6 +102,13 @@ Image impulses() {
                       [](int column, int row) { return column % 32 == 7 && row % 32 == 19 ? 1.0 : 0.0; });
 }
 
+Image strips() {
+    std::mt19937 dice(1234);
+    return grey_image("strips", {}, [&](int column, int) {
+        return (column / 8 % 2 == 0 ? 0.0 : 0.6) + 0.3 * (double(dice()) * 0x1p-32);
+    });
+}
+
 Image coloured_octaves() {
     const std::array<glm::dvec3, 7> hues{
         {{1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, 1, -1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, 1}}};

@@ -45,6 +45,9 @@ Image text();
 /// One white texel in 32 x 32, on black.
 Image impulses();
 
+/// Columns of 8 texels, dark and light by turns, with noise: mt19937 with seed 1234, row by row.
+Image strips();
+
 /// Checks of 1, 2, 4 ... 64 texels on top of each other, each size in a hue of its own, on grey: what a level
 /// of a mip chain has averaged away loses its hue.
 Image coloured_octaves();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "rasterizer/textured_surface.h"
 #include "rasterizer/wrap_mode.h"
 
 namespace zproof::study {
@@ -29,9 +30,7 @@ Samplers prepared(const rasterizer::Texturing& texturing, const SourceTextures& 
     Samplers samplers(textures.size());
     for (std::size_t i = 0; i < textures.size(); ++i) {
         if (!textures[i]) continue;
-        texture::FilterOptions options = texturing.options;
-        options.addressing = textures[i]->addressing;
-        samplers[i] = texturing.method.prepare(textures[i]->image, options);
+        samplers[i] = texturing.method.prepare(textures[i]->image, textures[i]->with(texturing.options));
     }
     return samplers;
 }
@@ -96,7 +95,8 @@ SourceTextures source_textures(const Scene& scene) {
         if (material.base_color.image == Texture::none) continue;
         const Image& image = scene.images[std::size_t(material.base_color.image)];
         textures.back() = SourceTexture{texture::linear_image({image.width, image.height, image.texels}),
-                                        rasterizer::addressing_of(material.base_color.sampler)};
+                                        rasterizer::addressing_of(material.base_color.sampler),
+                                        rasterizer::surface_of(scene, material.base_color.image)};
     }
     return textures;
 }

@@ -16,9 +16,17 @@ namespace zproof::study {
 struct SourceTexture {
     texture::LinearImage image;
     texture::Addressing addressing;
+    texture::Surface surface{};
+
+    texture::FilterOptions with(texture::FilterOptions options) const {
+        options.addressing = addressing;
+        options.surface = surface;
+        return options;
+    }
 };
 using SourceTextures = std::vector<std::optional<SourceTexture>>;  ///< by material
 
+/// The scene must outlive them.
 SourceTextures source_textures(const Scene& scene);
 
 /// "512 x 512, 640 x 427": each size once.

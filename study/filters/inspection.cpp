@@ -133,10 +133,9 @@ class MethodSamplers {
     const Sampler& of(int material) {
         std::optional<Sampler>& sampler = made_[std::size_t(material)];
         if (sampler) return *sampler;
-        texture::FilterOptions options = method_.texturing.options;
         const SourceTexture& source = *sources_[std::size_t(material)];
-        options.addressing = source.addressing;
-        return sampler.emplace(method_.texturing.method.prepare(source.image, options));
+        return sampler.emplace(
+            method_.texturing.method.prepare(source.image, source.with(method_.texturing.options)));
     }
 
   private:

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "rasterizer/rasterizer.h"
 #include "rasterizer/shading.h"
 #include "rasterizer/surface.h"
+#include "scenes/filter_scenes.h"
 #include "scenes/suite.h"
 #include "texture/catalogue.h"
 
@@ -181,6 +183,47 @@ TEST(Texturing, LevelZeroFiltersPaintWhatShadingDoes) {
                     apart += std::abs(shaded.at(x, y).g - picture.at(x, y).g) > 1e-6f;
             EXPECT_EQ(apart, 0) << name << ", " << view.name;
         }
+    }
+}
+
+Picture filtered_by(const char* method, const Loaded& loaded) {
+    const View& view = loaded.views[0];
+    return filtered(loaded.scene, view, render(loaded.scene, view),
+                    {.method = *texture::find_method(method)});
+}
+
+/// A square that shows a texture of noise once, and one beside it that shows it four times.
+Loaded evenly_shown() {
+    Loaded loaded = generate_filter_scene("uneven_strips", 96, 64);
+    Scene& scene = loaded.scene;
+    scene.vertices.position_world.clear();
+    scene.vertices.uv[0].clear();
+    for (const float left : {-1.0f, 0.0f})
+        for (const glm::vec2 corner : {glm::vec2{0, 0}, glm::vec2{0, 1}, glm::vec2{1, 1}, glm::vec2{1, 0}}) {
+            scene.vertices.position_world.push_back({left + corner.x, 0.5f - corner.y, -1});
+            scene.vertices.uv[0].push_back(corner * (left + 2));
+        }
+    scene.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+    scene.parts.resize(1);
+    scene.parts[0].triangle_count = 4;
+    return loaded;
+}
+
+TEST(ParameterizationAware, IsPlainWhereTexelsCoverTheSame) {
+    const Loaded loaded = evenly_shown();
+    EXPECT_TRUE(std::ranges::equal(filtered_by("trilinear-parameterization-aware", loaded).pixels(),
+                                   filtered_by("trilinear-gl", loaded).pixels()));
+}
+
+/// Eight textures across a field of 162 pixels: every level read has texels of 16 columns and more, a dark
+/// strip and a light one. Their means are 0.15 and 0.75, that of the surface is (0.15 + 4 * 0.75) / 5.
+TEST(ParameterizationAware, ShowsTheSurfacesMeanWhereTexelsDiffer) {
+    const Loaded loaded = generate_filter_scene("uneven_strips", 512, 512);
+    const Picture aware = filtered_by("trilinear-parameterization-aware", loaded),
+                  plain = filtered_by("trilinear-gl", loaded);
+    for (int x = 350; x < 500; ++x) {
+        EXPECT_NEAR(aware.at(x, 384).g, 0.63, 0.02) << x;
+        EXPECT_NEAR(plain.at(x, 384).g, 0.45, 0.02) << x;
     }
 }
 

@@ -1,5 +1,6 @@
 #include "texture/methods/bilinear_rule.h"
 #include "texture/methods/families.h"
+#include "texture/weighted_chain.h"
 
 namespace zproof::texture {
 
@@ -28,6 +29,21 @@ struct Trilinear {
         return {.lod = mips.in_chain(lod(footprint))};
     }
 };
+
+/// trilinear-gl on a chain weighed by the surface. Negative weights of areas may sum to nothing, so there is
+/// no Lanczos chain of this kind.
+Sampler prepare_parameterization_aware(const LinearImage& image, const FilterOptions& options) {
+    FilterOptions own = options;
+    if (own.mip_kernel == MipKernel::lanczos3) own.mip_kernel = MipKernel::polyphase;
+    const std::vector<double> weights =
+        own.surface ? texel_weights(own.surface(), image.width, image.height) : std::vector<double>{};
+    if (own.given_levels || weights.empty()) return prepare_bilinear<Trilinear<lod_gl_maximum>>(image, own);
+    const WeightedChain chain{image, weights, own.mip_kernel};
+    own.given_levels = std::make_shared<const std::vector<LinearImage>>(chain.smaller());
+    Sampler sampler = prepare_bilinear<Trilinear<lod_gl_maximum>>(image, own);
+    sampler.stored = chain.stored();
+    return sampler;
+}
 
 Method nearest_level_method(std::string name, std::string taps, decltype(Method::prepare) prepare) {
     return {
@@ -101,7 +117,16 @@ std::vector<Method> mip_methods() {
              .source = "Akenine-Moller, Nilsson, Andersson, Barre-Brisebois, Toth and Karras 2019; "
                        "Akenine-Moller, Crassin, Boksansky, Belcour, Panteleev and Wright 2021, with its "
                        "erratum"},
-            prepare_bilinear<Trilinear<lod_ray_cone>>)};
+            prepare_bilinear<Trilinear<lod_ray_cone>>),
+        {.name = "trilinear-parameterization-aware",
+         .card = {.footprint = "The longer of the pixel's two steps.",
+                  .lod = "log2 of its length in texels.",
+                  .taps =
+                      "As trilinear-gl, of a chain that weighs each texel by the area of the surface that "
+                      "it covers in the world. Where no surface is known it is trilinear-gl.",
+                  .source = "Manson and Schaefer 2012, Parameterization-Aware MIP-Mapping: their weights by "
+                            "area, without their least squares for the filter that the hardware applies"},
+         .prepare = prepare_parameterization_aware}};
 }
 
 }  // namespace zproof::texture
