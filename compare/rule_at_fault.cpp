@@ -103,9 +103,17 @@ struct Factors {
 };
 using FactorsOfChannels = std::array<Factors, 3>;
 
+/// Those by which the bound is no less than the value.
+Factors reaching(double value, double bound) {
+    if (bound > 0) return {.least = std::max(value / bound, 0.0)};
+    if (bound < 0) return {.greatest = value / bound};
+    return value <= 0 ? Factors{} : Factors{.greatest = -unbounded};
+}
+
+/// None for what is no number.
 Factors factors_of(double value, double low, double high) {
-    if (high <= 0) return value >= low && value <= high ? Factors{} : Factors{.greatest = -unbounded};
-    return {value / high, low > 0 ? value / low : unbounded};
+    if (!std::isfinite(value)) return {.greatest = -unbounded};
+    return reaching(value, high).both(reaching(-value, -low));
 }
 
 FactorsOfChannels both(FactorsOfChannels factors, const LinearRgb& found, const ColourRange& permitted) {
@@ -140,9 +148,13 @@ std::optional<RuleRelaxation> factor_of(const RelaxationQuery& q) {
     };
     if (is_empty(factors) || is_right(factors) || !std::ranges::all_of(others, holds)) return std::nullopt;
     RuleRelaxation relaxation{.rule = FilterRule::factor, .explained = all_of_them};
-    for (std::size_t c = 0; c < 3; ++c)
-        if (std::isfinite(factors[c].greatest))
-            relaxation.times[int(c)] = (factors[c].least + factors[c].greatest) / 2;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto [least, greatest] = factors[c];
+        if (std::isfinite(greatest))
+            relaxation.times[int(c)] = (least + greatest) / 2;
+        else if (least > 1)
+            return std::nullopt;  // values where none is permitted
+    }
     return relaxation;
 }
 

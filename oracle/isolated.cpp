@@ -11,6 +11,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <new>
@@ -24,8 +25,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The first byte that the copy sends.
-enum class Answer : unsigned char { result, refusal, failure };
+/// What the copy sends first. An answer that is shorter than this says was cut by an end of the copy.
+struct Answer {
+    enum class Kind : std::uint64_t { result, refusal, failure } kind;
+    std::uint64_t size;
+};
 
 void limit_memory(std::size_t more_bytes) {
     const rlim_t most = address_space_bytes() + more_bytes;
@@ -57,27 +61,28 @@ void send(int to, std::span<const std::byte> bytes) {
     }
 }
 
-void send(int to, Answer answer, std::span<const std::byte> bytes) {
+void send(int to, Answer::Kind kind, std::span<const std::byte> bytes) {
+    const Answer answer{kind, bytes.size()};
     send(to, std::as_bytes(std::span{&answer, 1}));
     send(to, bytes);
 }
 
-void send_words(int to, Answer answer, const std::string& words) {
-    send(to, answer, std::as_bytes(std::span{words}));
+void send_words(int to, Answer::Kind kind, const std::string& words) {
+    send(to, kind, std::as_bytes(std::span{words}));
 }
 
 [[noreturn]] void do_in_copy(int to, const IsolationLimits& limits, const std::function<Bytes()>& work) {
     set_apart(limits.memory_bytes);
     try {
-        send(to, Answer::result, work());
+        send(to, Answer::Kind::result, work());
     } catch (const FrameError& e) {
-        send_words(to, Answer::refusal, e.what());
+        send_words(to, Answer::Kind::refusal, e.what());
     } catch (const std::bad_alloc&) {
         send_words(
-            to, Answer::failure,
+            to, Answer::Kind::failure,
             "more memory is needed than is allowed, " + std::to_string(limits.memory_bytes >> 20) + " MiB");
     } catch (const std::exception& e) {
-        send_words(to, Answer::failure, e.what());
+        send_words(to, Answer::Kind::failure, e.what());
     }
     _exit(0);
 }
@@ -145,21 +150,22 @@ std::size_t address_space_bytes() {
 Bytes isolated(const std::string& name, const IsolationLimits& limits, const std::function<Bytes()>& work) {
     const Clock::time_point deadline = Clock::now() + limits.time;
     Copy copy(name, limits, work);
-    Bytes answer;
-    if (!copy.take(answer, deadline))
+    Bytes sent;
+    if (!copy.take(sent, deadline))
         throw FrameError(name + ": cannot be read within the time limit of " +
                          std::to_string(std::chrono::ceil<std::chrono::seconds>(limits.time).count()) + " s");
-    if (answer.empty()) {
+    Answer answer{};
+    if (sent.size() >= sizeof answer) std::memcpy(&answer, sent.data(), sizeof answer);
+    if (sent.size() < sizeof answer || sent.size() - sizeof answer != answer.size) {
         const int status = copy.end();
         const int number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
         throw FrameError(name + ": cannot be read: its reader crashed (signal " + std::to_string(number) +
                          ", " + strsignal(number) + ")");
     }
-    const auto kind = Answer(answer.front());
-    answer.erase(answer.begin());
-    if (kind == Answer::result) return answer;
-    const std::string words(reinterpret_cast<const char*>(answer.data()), answer.size());
-    throw FrameError(kind == Answer::refusal ? words : name + ": cannot be read: " + words);
+    sent.erase(sent.begin(), sent.begin() + sizeof answer);
+    if (answer.kind == Answer::Kind::result) return sent;
+    const std::string words(reinterpret_cast<const char*>(sent.data()), sent.size());
+    throw FrameError(answer.kind == Answer::Kind::refusal ? words : name + ": cannot be read: " + words);
 }
 
 }  // namespace zproof::oracle

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int cell_count = mask_side * mask_side;
 
-/// Points and empty cells, each in the order of their sums: no cell is looked for twice.
+/// Points and empty cells, both kept in the order of their sums.
 class Mask {
   public:
     Mask() : energy_(cell_count), is_set_(cell_count) {

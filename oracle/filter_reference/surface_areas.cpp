@@ -42,6 +42,24 @@ struct Square {
     std::int64_t column, row, side;
 };
 
+/// A texel along an axis, and how often a run of whole numbers is wrapped to it.
+struct Hit {
+    std::size_t index;
+    double times;
+};
+
+std::vector<Hit> hits(Wrap wrap, std::int64_t first, std::int64_t count, int size) {
+    std::vector<Hit> all;
+    const auto index = [&](std::int64_t i) { return std::size_t(wrapped_index(wrap, first + i, size)); };
+    if (count <= size) {
+        for (std::int64_t i = 0; i < count; ++i) all.push_back({index(i), 1});
+        return all;
+    }
+    for (int i = 0; i < size; ++i) all.push_back({std::size_t(i), 0});
+    for (std::int64_t i = 0; i < count; ++i) ++all[index(i)].times;
+    return all;
+}
+
 /// Areas by texel, with what they may be off.
 struct AreaMap {
     int width, height;
@@ -51,12 +69,12 @@ struct AreaMap {
 
     /// Each texel of the square is covered by this much, to within `off`.
     void add(const Square& square, const WrapRules& wrap, double covered, double off) {
-        for (std::int64_t r = square.row; r < square.row + square.side; ++r)
-            for (std::int64_t c = square.column; c < square.column + square.side; ++c) {
-                const auto at = std::size_t(wrapped_index(wrap.v, r, height)) * std::size_t(width) +
-                                std::size_t(wrapped_index(wrap.u, c, width));
-                area[at] += covered;
-                error[at] += off;
+        const std::vector<Hit> columns = hits(wrap.u, square.column, square.side, width);
+        for (const Hit& row : hits(wrap.v, square.row, square.side, height))
+            for (const Hit& column : columns) {
+                const std::size_t at = row.index * std::size_t(width) + column.index;
+                area[at] += row.times * column.times * covered;
+                error[at] += row.times * column.times * off;
             }
     }
 };

@@ -108,6 +108,31 @@ TEST(RuleTold, IsWeightsWhereTheyHaveTooFewBits) {
     EXPECT_EQ(told->bits, 3) << "a quarter rounded is off by an eighth";
 }
 
+/// Nor the factor of a picture with a value that is no number, or with light where none is permitted.
+TEST(RuleTold, IsNotTheFactorWhereAPixelHasNone) {
+    const PixelReference black = [](int, int, const FilterPrecision&) {
+        return PermittedColours{{glm::dvec3{0}, glm::dvec3{0x1p-149}}};
+    };
+    const PixelReference about_zero = [](int x, int, const FilterPrecision&) {
+        return x == 0 ? PermittedColours{{glm::dvec3{-0.5}, glm::dvec3{0.5}}}
+                      : PermittedColours{{glm::dvec3{1}, glm::dvec3{1}}};
+    };
+    const float endless = std::numeric_limits<float>::infinity();
+    const auto told = [](const Picture& picture, const PixelReference& reference) {
+        const auto rule =
+            rule_told(rules_at_fault(picture, conformance(picture, reference, {}), reference, {}));
+        return rule && rule->rule == FilterRule::factor;
+    };
+    const Resolution size{2, 1};
+    EXPECT_FALSE(told(Picture(size, LinearRgb{0.5f, 0.5f, 0.5f}), black));
+    EXPECT_FALSE(told(Picture(size, LinearRgb{endless, endless, endless}), about_zero));
+    Picture twice(size, LinearRgb{2, 2, 2});
+    twice.at(0, 0) = {-0.9f, -0.9f, -0.9f};
+    EXPECT_TRUE(told(twice, about_zero));
+    twice.at(0, 0) = {-1.1f, -1.1f, -1.1f};
+    EXPECT_FALSE(told(twice, about_zero)) << "below what twice the range holds";
+}
+
 TEST(RuleTold, IsSaidInWords) {
     selftest::ConformanceResult result;
     result.found.outside = 3, result.found.judged = 9, result.found.worst_slack = 2;

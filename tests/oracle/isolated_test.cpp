@@ -2,6 +2,7 @@
 #include "oracle/isolated.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -43,6 +44,25 @@ TEST(Isolated, NamesTheSignalThatEndedIt) {
         });
         EXPECT_THAT(said, StartsWith("x.exr: cannot be read: its reader crashed (signal "));
         EXPECT_THAT(said, HasSubstr(strsignal(number)));
+    }
+}
+
+/// As if it had been killed while it answered: the start of an answer stands in every pipe that is open.
+TEST(Isolated, IsNotBelievedWhereItsAnswerIsCut) {
+    for (const std::size_t count : {1, 16, 20}) {
+        const std::string said = complaint_of([&]() -> Bytes {
+            Bytes start(count);
+            if (count >= 16) start[8] = std::byte{9};  // of nine bytes
+            for (int file = 3; file < 256; ++file) {
+                struct stat status {};
+                if (fstat(file, &status) != 0 || !S_ISFIFO(status.st_mode)) continue;
+                if (::write(file, start.data(), start.size()) < 0) continue;
+            }
+            signal(SIGSEGV, SIG_DFL);
+            raise(SIGSEGV);
+            return {};
+        });
+        EXPECT_THAT(said, HasSubstr("its reader crashed")) << count;
     }
 }
 
