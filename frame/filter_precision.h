@@ -33,16 +33,18 @@ struct FilterPrecision {
     double step_bits = exact;     ///< the steps per pixel, in lengths of the longest of their coordinates
     double place_bits = exact;    ///< place within a level, texels
     double weight_bits = exact;   ///< each weight of a 2 x 2 read, and of a blend of two levels
-    double lod_bits = exact;      ///< LOD, levels
-    double lod_below = 0;         ///< a sampler's LOD may lie so far below the rule's, levels; ellipses and
-                                  ///< OpenImageIO's methods work out a width of their own: no matter there
-    double lod_above = 0;         ///< and so far above it
-    double tap_bits = exact;      ///< where the taps of one lookup stand, in lengths of its axis
-    double sum_bits = 53;         ///< unit roundoff of sums over texels: accumulation, summed-area tables
-    int sum_roundings = 4096;     ///< chained in such a sum, weights included
-    double texel_bits = 24;       ///< unit roundoff of stored texels of every level above 0: 11 is float16
-    double colour_bits = 24;      ///< unit roundoff of the picture's numbers
-    WeightLattice weights_on{};   ///< no promise but a hypothesis: weights are rounded to these alone
+    double split_bits = exact;  ///< in a blend of two levels each level's share is split between columns, and
+                                ///< a column's between texels: each split, as a weight of the whole blend
+    double lod_bits = exact;    ///< LOD, levels
+    double lod_below = 0;       ///< a sampler's LOD may lie so far below the rule's, levels; ellipses and
+                                ///< OpenImageIO's methods work out a width of their own: no matter there
+    double lod_above = 0;       ///< and so far above it
+    double tap_bits = exact;    ///< where the taps of one lookup stand, in lengths of its axis
+    double sum_bits = 53;       ///< unit roundoff of sums over texels: accumulation, summed-area tables
+    int sum_roundings = 4096;   ///< chained in such a sum, weights included
+    double texel_bits = 24;     ///< unit roundoff of stored texels of every level above 0: 11 is float16
+    double colour_bits = 24;    ///< unit roundoff of the picture's numbers
+    WeightLattice weights_on{};  ///< no promise but a hypothesis: weights are rounded to these alone
 };
 
 }  // namespace zproof

@@ -18,9 +18,9 @@ namespace {
 
 constexpr const char* check_remark = R"(
 What may be promised, each by default as exactly as zproof's own filters: arithmetic_bits, coordinate_bits,
-displacement_px, step_bits, place_bits, weight_bits, lod_bits, lod_below, lod_above, tap_bits, sum_bits,
-texel_bits, colour_bits (docs/filter-conformance.md). A preset may come first: gpu, d3d11, vulkan-min,
-float32, float64, oiio. So --precision gpu,lod_bits=6 is a GPU with 6 bits of LOD
+displacement_px, step_bits, place_bits, weight_bits, split_bits, lod_bits, lod_below, lod_above, tap_bits,
+sum_bits, texel_bits, colour_bits (docs/filter-conformance.md). A preset may come first: gpu, d3d11,
+vulkan-min, float32, float64, oiio. So --precision gpu,lod_bits=6 is a GPU with 6 bits of LOD
 (docs/joint-conformance.md).
 
 Exit status: 0 every picture keeps to its definition, 1 one does not.)";

@@ -119,9 +119,11 @@ FilterPrecision lod_alone(const FilterClaim& claim) {
     return own;
 }
 
-/// A weight of a bilinear read that is off by e is a place in that level that is off by e.
+/// A weight of a bilinear read that is off by e is a place in that level that is off by e. Splits that are
+/// all off to one side move a place as well.
 FilterPrecision offset_alone(const FilterPrecision& promise) {
     FilterPrecision own = place_alone(promise);
+    own.split_bits = promise.split_bits;
     own.place_bits = both(promise.place_bits, promise.weight_bits);
     return own;
 }

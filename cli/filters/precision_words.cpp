@@ -22,6 +22,7 @@ const std::vector<Key>& keys() {
                                       {"step_bits", &FilterPrecision::step_bits},
                                       {"place_bits", &FilterPrecision::place_bits},
                                       {"weight_bits", &FilterPrecision::weight_bits},
+                                      {"split_bits", &FilterPrecision::split_bits},
                                       {"lod_bits", &FilterPrecision::lod_bits},
                                       {"lod_below", &FilterPrecision::lod_below},
                                       {"lod_above", &FilterPrecision::lod_above},

@@ -46,7 +46,34 @@ struct Cell {
         for (const auto& t : texels) low = glm::min(low, t.value), high = glm::max(high, t.value);
         return high - low;
     }
+    /// What a split between the columns moves from one to the other, and within each column.
+    glm::dvec3 cost_of_splits(double y) const {
+        const auto apart = [&](int from, int to, double share) {
+            const auto &a = texels[std::size_t(from)], &b = texels[std::size_t(to)];
+            return IntervalImage::Texel{share * (b.value - a.value), share * (a.radius + b.radius)};
+        };
+        const auto upper = apart(0, 1, 1 - y), lower = apart(2, 3, y), left = apart(0, 2, 1),
+                   right = apart(1, 3, 1);
+        return glm::abs(upper.value + lower.value) + glm::abs(left.value) + glm::abs(right.value) +
+               upper.radius + lower.radius + left.radius + right.radius;
+    }
 };
+
+/// Cuts a box of places at the texels' centres: what is read from each piece is of the same four texels.
+/// Visits the four corners of every piece, as fractions within the cell.
+template <class Visit>
+void at_corners(const IntervalImage& image, const WrapRules& wrap, const TexelInterval& place, Visit visit) {
+    const auto across = cut_at_whole_numbers(place.u - Interval{0.5}),
+               down = cut_at_whole_numbers(place.v - Interval{0.5});
+    for (std::size_t j = 0; j + 1 < down.size(); ++j) {
+        for (std::size_t i = 0; i + 1 < across.size(); ++i) {
+            const double left = std::floor(across[i]), top = std::floor(down[j]);
+            const Cell cell{image, wrap, std::int64_t(left), std::int64_t(top)};
+            for (const double x : {across[i] - left, across[i + 1] - left})
+                for (const double y : {down[j] - top, down[j + 1] - top}) visit(cell, x, y);
+        }
+    }
+}
 
 }  // namespace
 
@@ -110,24 +137,23 @@ std::vector<ColourRange> nearest(const IntervalImage& image, const WrapRules& wr
 ColourRange bilinear(const IntervalImage& image, const WrapRules& wrap, const TexelInterval& place,
                      const FilterPrecision& precision) {
     if (is_too_wide(place)) return image.range;
-    const auto across = cut_at_whole_numbers(place.u - Interval{0.5}),
-               down = cut_at_whole_numbers(place.v - Interval{0.5});
+    const double error = std::exp2(-precision.weight_bits);
     std::optional<ColourRange> range;
-    for (std::size_t j = 0; j + 1 < down.size(); ++j) {
-        for (std::size_t i = 0; i + 1 < across.size(); ++i) {
-            const double left = std::floor(across[i]), top = std::floor(down[j]);
-            const Cell cell{image, wrap, std::int64_t(left), std::int64_t(top)};
-            const glm::dvec3 weights = 2 * std::exp2(-precision.weight_bits) * cell.spread();
-            for (const double x : {across[i] - left, across[i + 1] - left}) {
-                for (const double y : {down[j] - top, down[j + 1] - top}) {
-                    ColourRange at = cell.at(on_lattice(x, precision), on_lattice(y, precision));
-                    at = {at.low - weights, at.high + weights};
-                    range = range ? hull(*range, at) : at;
-                }
-            }
-        }
-    }
+    at_corners(image, wrap, place, [&](const Cell& cell, double x, double y) {
+        const glm::dvec3 weights = 2 * error * cell.spread();
+        ColourRange at = cell.at(on_lattice(x, precision), on_lattice(y, precision));
+        at = {at.low - weights, at.high + weights};
+        range = range ? hull(*range, at) : at;
+    });
     return *range;
+}
+
+glm::dvec3 cost_of_splits(const IntervalImage& image, const WrapRules& wrap, const TexelInterval& place) {
+    if (is_too_wide(place)) return glm::dvec3{0};  // any mean of the image is permitted already
+    glm::dvec3 most{0};
+    at_corners(image, wrap, place,
+               [&](const Cell& cell, double, double y) { most = glm::max(most, cell.cost_of_splits(y)); });
+    return most;
 }
 
 }  // namespace zproof::oracle::filter_reference

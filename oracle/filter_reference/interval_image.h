@@ -56,4 +56,8 @@ std::vector<ColourRange> nearest(const IntervalImage& image, const WrapRules& wr
 ColourRange bilinear(const IntervalImage& image, const WrapRules& wrap, const TexelInterval& place,
                      const FilterPrecision& precision);
 
+/// What it costs a read, as one of two levels, that its share is split between columns and each column's
+/// between texels, every split off by e: at most e times this.
+glm::dvec3 cost_of_splits(const IntervalImage& image, const WrapRules& wrap, const TexelInterval& place);
+
 }  // namespace zproof::oracle::filter_reference

@@ -21,6 +21,11 @@ ColourRange Levels::bilinear_in(int level, const TexelInterval& place,
     return bilinear(at(level), settings_.wrap, place_in(at(level), at(0), place, precision), precision);
 }
 
+glm::dvec3 Levels::cost_of_splits_in(int level, const TexelInterval& place,
+                                     const FilterPrecision& precision) const {
+    return cost_of_splits(at(level), settings_.wrap, place_in(at(level), at(0), place, precision));
+}
+
 /// Piecewise affine in the LOD: cut at whole levels, the ends of each piece hold its extremes.
 ColourRange Levels::trilinear(const Interval& level, const TexelInterval& place,
                               const FilterPrecision& precision) const {
@@ -34,7 +39,13 @@ ColourRange Levels::trilinear(const Interval& level, const TexelInterval& place,
         const Interval fraction = clamped(level, k, k + 1.0) - Interval{double(k)};
         const Interval rounded{on_lattice(fraction.low(), precision), on_lattice(fraction.high(), precision)};
         const Interval share = clamped(widen(rounded, error), 0, 1);
-        const ColourRange piece = blended(finer, coarser, share);
+        ColourRange piece = blended(finer, coarser, share);
+        if (precision.split_bits < FilterPrecision::exact && fraction.high() > 0) {
+            const glm::dvec3 splits =
+                std::exp2(-precision.split_bits) *
+                (cost_of_splits_in(k, place, precision) + cost_of_splits_in(k + 1, place, precision));
+            piece = {piece.low - splits, piece.high + splits};
+        }
         range = range ? hull(*range, piece) : piece;
         finer = coarser;
     }

@@ -23,6 +23,9 @@ class Levels {
                           const FilterPrecision& precision) const;
 
   private:
+    glm::dvec3 cost_of_splits_in(int level, const TexelInterval& place,
+                                 const FilterPrecision& precision) const;
+
     Settings settings_;
     std::vector<IntervalImage> levels_;
 };

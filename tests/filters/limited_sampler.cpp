@@ -47,15 +47,21 @@ glm::dvec4 texel_of(const LinearImage& image, const texture::Addressing& wrap, d
                                texture::wrapped(wrap.v, std::int64_t(row), image.height))};
 }
 
-glm::dvec4 bilinear(const LinearImage& image, const texture::Addressing& wrap, const glm::dvec2& place,
-                    const Lattice& weights) {
+/// A level's part in a blend: share times what is read.
+glm::dvec4 part_of(const LinearImage& image, const texture::Addressing& wrap, const glm::dvec2& place,
+                   double share, const LimitedTrilinear& parts) {
     const double left = std::floor(place.x - 0.5), top = std::floor(place.y - 0.5);
-    const double right_share = std::clamp(weights(place.x - 0.5 - left), 0.0, 1.0),
-                 lower_share = std::clamp(weights(place.y - 0.5 - top), 0.0, 1.0);
-    const auto row = [&](double at) {
-        return glm::mix(texel_of(image, wrap, left, at), texel_of(image, wrap, left + 1, at), right_share);
+    const double x = std::clamp(parts.weights(place.x - 0.5 - left), 0.0, 1.0),
+                 y = std::clamp(parts.weights(place.y - 0.5 - top), 0.0, 1.0);
+    const auto split = [&](double whole, double at) {
+        return std::clamp(parts.splits(whole * at), 0.0, whole);
     };
-    return glm::mix(row(top), row(top + 1), lower_share);
+    const double right = split(share, x), lower_right = split(right, y),
+                 upper_left = split(share - right, 1 - y);
+    return upper_left * texel_of(image, wrap, left, top) +
+           (right - lower_right) * texel_of(image, wrap, left + 1, top) +
+           (share - right - upper_left) * texel_of(image, wrap, left, top + 1) +
+           lower_right * texel_of(image, wrap, left + 1, top + 1);
 }
 
 }  // namespace
@@ -79,12 +85,12 @@ texture::Method limited_trilinear(const LimitedTrilinear& parts) {
             const double biased = parts.lod(std::log2(longer) + o.lod_bias);
             const double last = double(levels.size()) - 1;
             const double lod = std::clamp(std::clamp(biased, o.lod_min, o.lod_max), 0.0, last);
-            const auto read = [&](double level) {
+            const auto part = [&](double level, double share) {
                 const LinearImage& at = levels[std::size_t(std::min(level, last))];
-                return bilinear(at, o.addressing, place * size_of(at) / size, parts.weights);
+                return part_of(at, o.addressing, place * size_of(at) / size, share, parts);
             };
-            return parts.gain * glm::mix(read(std::floor(lod)), read(std::floor(lod) + 1),
-                                         std::clamp(parts.blend(lod - std::floor(lod)), 0.0, 1.0));
+            const double finer = std::floor(lod), share = std::clamp(parts.blend(lod - finer), 0.0, 1.0);
+            return parts.gain * (part(finer, 1 - share) + part(finer + 1, share));
         };
     });
 }

@@ -27,11 +27,17 @@ struct Lattice {
 /// Trilinear by the longer step (trilinear-gl) of limited precision.
 struct LimitedTrilinear {
     Lattice lod{}, weights{}, blend{};  ///< LOD; fraction within a level; fraction between levels
-    glm::dvec2 place_error{0};          ///< added to every place, texels of level 0
-    double gain = 1;                    ///< of what is shown
-    bool is_float32 = true;             ///< texture coordinates are held in float32
-    int half_levels_from = 100;         ///< levels from here on are kept as float16, made of those kept
+    Lattice splits{};            ///< of a level's share between columns, and of a column's between texels
+    glm::dvec2 place_error{0};   ///< added to every place, texels of level 0
+    double gain = 1;             ///< of what is shown
+    bool is_float32 = true;      ///< texture coordinates are held in float32
+    int half_levels_from = 100;  ///< levels from here on are kept as float16, made of those kept
 };
+/// As an NVIDIA H200 samples (docs/oracles.md), but for its lengths of steps.
+inline LimitedTrilinear like_a_card() {
+    constexpr Lattice eight{8};
+    return {.lod = eight, .weights = eight, .blend = eight, .splits = eight};
+}
 texture::Method limited_trilinear(const LimitedTrilinear& parts);
 
 /// Elliptical weighted averages (ewa-pbrt, ewa-pbrt-table) of limited precision.
