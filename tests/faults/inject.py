@@ -180,6 +180,8 @@ class Trial:
 
     def try_fault(self, fault):
         done, log = self.injected(fault)
+        if re.search(r"MAP_STACK.*\(INJECTED\)", log):
+            return
         if done.returncode not in STATUSES:
             self.complain("not a documented status", done, fault)
         is_silenced = re.search(r"write\(2,.*\(INJECTED\)", log)
