@@ -292,6 +292,8 @@ std::vector<FilterFault> faults_of_taps() {
              set([](FilterOptions& o) { o.max_anisotropy = 8; })},
             {"eight_texels", "up to eight texels where at most four are promised", "cardinality-4",
              by("cardinality-8")},
+            {"table_lod_a_sixteenth_less", "LODs are rounded down to those of the table", "cardinality-4",
+             set([](FilterOptions& o) { o.lod_bias = -1 / 16.0; })},
             {"one_lookup", "one anisotropic lookup, wherever it should be five", "aniso-elliptical",
              by("aniso-d3d11")},
             {"fewer_supersamples", "3 x 3 samples instead of 4 x 4", "supersample-bilinear",

@@ -8,7 +8,7 @@ namespace zproof::texture {
 std::vector<Method> point_methods();         ///< level 0 at one place: nearest, bilinear
 std::vector<Method> separable_methods();     ///< level 0 at one place, four texels along either axis
 std::vector<Method> mip_methods();           ///< one place in a mip chain
-std::vector<Method> cardinality_methods();   ///< a few texels of two levels, chosen beforehand
+std::vector<Method> cardinality_methods();   ///< few texels of several levels, from a table
 std::vector<Method> ripmap_methods();        ///< one place in a chain halved along either axis by itself
 std::vector<Method> sat_methods();           ///< boxes of a summed-area table
 std::vector<Method> repeated_sat_methods();  ///< smoother windows of sums that are added up again and again
