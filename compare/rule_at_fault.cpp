@@ -59,20 +59,41 @@ std::vector<FilterPixel> some_pixels(const Conformance& found, float least_slack
     return some;
 }
 
+struct ShownPixel {
+    FilterPixel at;
+    LinearRgb colour;
+};
+
 struct RelaxationQuery {
-    const Picture& picture;
     const PixelReference& reference;
     const FilterPrecision& declared;
-    std::vector<FilterPixel> pixels;
+    std::vector<ShownPixel> pixels;
 };
+
+RelaxationQuery query_of(const Picture& picture, const std::vector<FilterPixel>& pixels,
+                         const PixelReference& reference, const FilterPrecision& declared) {
+    RelaxationQuery query{reference, declared, {}};
+    for (const FilterPixel& pixel : pixels) query.pixels.push_back({pixel, picture.at(pixel.x, pixel.y)});
+    return query;
+}
+
+/// The same errors with the other sign: each colour is reflected about the middle of what is permitted.
+RelaxationQuery reflected(RelaxationQuery query) {
+    for (auto& [at, colour] : query.pixels) {
+        const ColourRange right = nearest_range(colour, query.reference(at.x, at.y, query.declared));
+        const glm::dvec3 twice = right.low + right.high;
+        colour = {float(twice.x - colour.r), float(twice.y - colour.g), float(twice.z - colour.b)};
+    }
+    return query;
+}
 
 RuleRelaxation ask(const RelaxationQuery& q, FilterRule rule, double bits) {
     const FilterPrecision precision = relaxed(q.declared, rule, bits);
     std::vector<double> width(q.pixels.size(), -1);
     tbb::parallel_for(std::size_t{0}, q.pixels.size(), [&](std::size_t i) {
-        const auto [x, y] = q.pixels[i];
-        const PermittedColours permitted = q.reference(x, y, precision);
-        if (slack_of(q.picture.at(x, y), permitted) <= 1) width[i] = width_of(permitted);
+        const auto& [at, colour] = q.pixels[i];
+        const PermittedColours permitted = q.reference(at.x, at.y, precision);
+        if (slack_of(colour, permitted) <= 1) width[i] = width_of(permitted);
     });
     RuleRelaxation relaxation{.rule = rule, .bits = bits};
     double widths = 0, explained = 0;
@@ -90,6 +111,14 @@ int fewest_bits(FilterRule rule) { return rule == FilterRule::weights ? 1 : -2; 
 /// Any mean of what is read keeps to weights of so few bits: also that of wrong texels, or by a wrong factor.
 bool promises_nothing(const RuleRelaxation& relaxation) {
     return relaxation.rule == FilterRule::weights && relaxation.bits <= fewest_bits(FilterRule::weights);
+}
+
+/// Other places show other texels: the same move does not make every opposite error as well. Where it would,
+/// the definition bounds what places may do by any error of that size (summed areas).
+bool is_any_error(const RuleRelaxation& relaxation) {
+    const FilterRule rule = relaxation.rule;
+    return (rule == FilterRule::coordinates || rule == FilterRule::footprint || rule == FilterRule::taps) &&
+           relaxation.explained_reflected >= all_of_them;
 }
 
 /// Numbers by which what is permitted has to be multiplied to hold what was found.
@@ -134,12 +163,12 @@ bool is_right(const FactorsOfChannels& factors) {
 std::optional<RuleRelaxation> factor_of(const RelaxationQuery& q) {
     FactorsOfChannels factors;
     std::vector<std::pair<LinearRgb, PermittedColours>> others;
-    for (const auto& [x, y] : q.pixels) {
-        const PermittedColours permitted = q.reference(x, y, q.declared);
+    for (const auto& [at, colour] : q.pixels) {
+        const PermittedColours permitted = q.reference(at.x, at.y, q.declared);
         if (permitted.size() > 1)
-            others.emplace_back(q.picture.at(x, y), permitted);
+            others.emplace_back(colour, permitted);
         else
-            factors = both(factors, q.picture.at(x, y), permitted.front());
+            factors = both(factors, colour, permitted.front());
     }
     const auto holds = [&](const auto& other) {
         return std::ranges::any_of(other.second, [&](const ColourRange& permitted) {
@@ -201,17 +230,20 @@ std::string name_of(FilterRule rule) {
 std::vector<RuleRelaxation> rules_at_fault(const Picture& picture, const Conformance& found,
                                            const PixelReference& reference,
                                            const FilterPrecision& precision) {
-    const RelaxationQuery query{picture, reference, precision,
-                                some_pixels(found, std::nextafter(1.0f, 2.0f))};
-    if (query.pixels.empty()) return {};
+    std::vector<FilterPixel> pixels = some_pixels(found, std::nextafter(1.0f, 2.0f));
+    if (pixels.empty()) return {};
+    const RelaxationQuery query = query_of(picture, pixels, reference, precision),
+                          opposite = reflected(query);
     std::vector<RuleRelaxation> relaxations;
-    RelaxationQuery everywhere = query;
-    std::ranges::copy(some_pixels(found, 0), std::back_inserter(everywhere.pixels));
-    if (const auto factor = factor_of(everywhere)) relaxations.push_back(*factor);
+    std::ranges::copy(some_pixels(found, 0), std::back_inserter(pixels));
+    if (const auto factor = factor_of(query_of(picture, pixels, reference, precision)))
+        relaxations.push_back(*factor);
     for (const FilterRule rule : {FilterRule::coordinates, FilterRule::footprint, FilterRule::lod,
                                   FilterRule::weights, FilterRule::taps, FilterRule::sums}) {
-        const RuleRelaxation relaxation = least_relaxation(query, rule);
-        if (relaxation.explained > 0) relaxations.push_back(relaxation);
+        RuleRelaxation relaxation = least_relaxation(query, rule);
+        if (relaxation.explained == 0) continue;
+        relaxation.explained_reflected = ask(opposite, rule, relaxation.bits).explained;
+        relaxations.push_back(relaxation);
     }
     const auto rank = [](const RuleRelaxation& relaxation) {
         if (relaxation.explained < all_of_them) return 2;
@@ -233,8 +265,8 @@ std::optional<RuleRelaxation> rule_told(const std::vector<RuleRelaxation>& rules
         if (place) return {};
         place = rule;
     }
-    if (told &&
-        (promises_nothing(*told) || !(told->permissive < (any_error ? any_error->permissive : unbounded))))
+    if (told && (promises_nothing(*told) || is_any_error(*told) ||
+                 !(told->permissive < (any_error ? any_error->permissive : unbounded))))
         return {};
     return told ? told : any_error;
 }

@@ -73,11 +73,26 @@ TEST(RuleTold, IsNotWeightsWhereTexelsAreWrong) {
     EXPECT_FALSE(told_of("lanczos_for_box", selftest::filter_fixture(selftest::Ground::noise)));
 }
 
+/// What is told of a planted defect under the promise of double arithmetic.
+std::optional<RuleRelaxation> told_in_doubles(const std::string& name,
+                                              const selftest::FilterFixture& fixture) {
+    const std::vector<selftest::FilterFault> all = selftest::filter_faults();
+    const auto fault = std::ranges::find(all, name, &selftest::FilterFault::name);
+    return rule_told(selftest::try_filter_fault(*fault, fixture).rules);
+}
+
+/// A window's ends bound any error of a summed area, so their place is not told apart from anything.
+TEST(RuleTold, IsNotCoordinatesWhereTheyBoundAnyError) {
+    const selftest::FilterFixture fixture = selftest::filter_fixture(selftest::Ground::noise);
+    EXPECT_FALSE(told_in_doubles("triangle_for_quadratic", fixture));
+    const auto told = told_in_doubles("half_texel_right", fixture);
+    ASSERT_TRUE(told);
+    EXPECT_EQ(told->rule, FilterRule::coordinates);
+}
+
 TEST(RuleTold, IsTheFactorWhereOneHoldsAtEveryPixel) {
     const selftest::FilterFixture fixture = selftest::filter_fixture(selftest::Ground::noise);
-    const std::vector<selftest::FilterFault> all = selftest::filter_faults();
-    const auto fault = std::ranges::find(all, "factor_ignored", &selftest::FilterFault::name);
-    const auto told = rule_told(selftest::try_filter_fault(*fault, fixture).rules);
+    const auto told = told_in_doubles("factor_ignored", fixture);
     ASSERT_TRUE(told);
     EXPECT_EQ(told->rule, FilterRule::factor);
     const glm::vec4 factor = fixture.scene.materials.at(0).base_color_factor;
