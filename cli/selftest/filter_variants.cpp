@@ -7,6 +7,7 @@
 #include "texture/cardinality_table.h"
 #include "texture/methods/tap_rule.h"
 #include "texture/summed_area.h"
+#include "texture/two_reads_table.h"
 
 namespace zproof::selftest {
 
@@ -231,6 +232,26 @@ texture::Method constrained_freely() {
                            texture::wrapped(o.addressing.v, int(holder.y) + taps[i].row, from.height))};
             }
             return sum;
+        };
+    });
+}
+
+texture::Method two_reads_displaced(double times) {
+    return made_of([times](const LinearImage& image, const FilterOptions& o) -> Colour {
+        return [times, levels = texture::mip_chain(image, o.mip_kernel, o.addressing), o,
+                table = texture::TwoReadsTable{}](const Footprint& f) {
+            const int coarsest = int(levels.size()) - 1;
+            const double lod = std::clamp(clamped_lod(std::log2(longer_step(f)), o), 0.0, double(coarsest));
+            const int finer = std::clamp(int(lod) - 1, 0, coarsest - 1);
+            const LinearImage &fine = levels[std::size_t(finer)], &coarse = levels[std::size_t(finer + 1)];
+            const glm::dvec2 place = f.centre * size_of(coarse) / size_of(levels.front()),
+                             cell = glm::floor(8.0 * (place - glm::floor(place)));
+            const texture::TwoReads reads =
+                table.at(int(8 * std::exp2(lod - finer) + 0.5), {int(cell.x), int(cell.y)});
+            const double share = reads.share / 64.0;
+            return share * bilinear(fine, o.addressing, 2.0 * place + times / 8 * glm::dvec2{reads.finer}) +
+                   (1 - share) *
+                       bilinear(coarse, o.addressing, place + times / 8 * glm::dvec2{reads.coarser});
         };
     });
 }
