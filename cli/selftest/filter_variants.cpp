@@ -4,9 +4,10 @@
 #include <utility>
 
 #include "math/mixed.h"
-#include "texture/constrained_texels.h"
+#include "texture/cardinality_table.h"
 #include "texture/methods/tap_rule.h"
 #include "texture/summed_area.h"
+#include "texture/two_reads_table.h"
 
 namespace zproof::selftest {
 
@@ -29,6 +30,34 @@ double longer_step(const Footprint& f) { return std::max(glm::length(f.per_x), g
 
 double clamped_lod(double lod, const FilterOptions& o) {
     return std::clamp(lod + o.lod_bias, o.lod_min, o.lod_max);
+}
+
+/// The integral of the product of two boxes' filters.
+struct BoxFilter {
+    glm::dvec2 low, high;
+
+    double area() const { return (high.x - low.x) * (high.y - low.y); }
+    double times(const BoxFilter& other) const {
+        const glm::dvec2 shared = glm::max(glm::min(high, other.high) - glm::max(low, other.low), 0.0);
+        return shared.x * shared.y / (area() * other.area());
+    }
+};
+
+/// Of at most four texels, least squares without a condition on the sum; in the finest level's texels.
+glm::dvec4 free_weights(std::span<const texture::TableTap> taps, const glm::dvec2& place, double half) {
+    std::vector<BoxFilter> boxes;
+    for (const texture::TableTap& tap : taps) {
+        const double size = 1 << tap.level;
+        const glm::dvec2 low = size * (glm::floor(place / size) + glm::dvec2{tap.column, tap.row});
+        boxes.push_back({low, low + size});
+    }
+    glm::dmat4 products{1};
+    glm::dvec4 with_target{0};
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        with_target[int(i)] = boxes[i].times({place - half, place + half});
+        for (std::size_t j = 0; j < boxes.size(); ++j) products[int(i)][int(j)] = boxes[i].times(boxes[j]);
+    }
+    return glm::inverse(products) * with_target;
 }
 
 /// Each texel of the smaller image from the 2 x 2 (or fewer) that it covers.
@@ -180,26 +209,49 @@ texture::Method summed_box(const SummedBox& parts) {
 
 texture::Method constrained_freely() {
     return made_of([](const LinearImage& image, const FilterOptions& o) -> Colour {
-        return [levels = texture::mip_chain(image, o.mip_kernel, o.addressing), wrap = o.addressing, o,
-                table = texture::ConstrainedTexels{4, texture::WeightTotal::free}](const Footprint& f) {
-            const double lod =
-                std::clamp(clamped_lod(std::log2(longer_step(f)), o), 0.0, double(levels.size()) - 1);
-            const auto level = std::size_t(lod);
-            const int side = int(std::round(8 * std::exp2(lod - double(level))));
-            const glm::dvec2 cell = glm::floor(8.0 * f.centre * size_of(levels[level]) / size_of(levels[0]));
-            if (side == 8) return bilinear(levels[level], wrap, (cell + 0.5) / 8.0);
-            const glm::dvec2 within = cell - 16.0 * glm::floor(cell / 16.0);
+        return [levels = texture::mip_chain(image, o.mip_kernel, o.addressing), o,
+                table = texture::CardinalityTable{4}](const Footprint& f) {
+            const int coarsest = int(levels.size()) - 1;
+            const double level = std::clamp(clamped_lod(std::log2(longer_step(f)), o), 0.0, double(coarsest));
+            const int lod = int(std::floor(8 * level + 0.5)),
+                      finest = std::clamp(lod / 8 - 1, 0, coarsest - 2);
+            const glm::dvec2 point =
+                glm::floor(8.0 * f.centre * size_of(levels[std::size_t(finest)]) / size_of(levels[0]) + 0.5);
+            if (lod == 8 * coarsest) return glm::dvec4{levels.back().at(0, 0)};
+            const glm::dvec2 within = point - 32.0 * glm::floor(point / 32.0);
+            const auto taps = table.at(int(within.x), int(within.y), lod - 8 * finest);
+            const glm::dvec4 weights =
+                free_weights(taps, within / 8.0, std::exp2((lod - 8 * finest) / 8.0) / 2);
             glm::dvec4 sum{0};
-            for (const auto& texel : table.at(side, int(within.x), int(within.y))) {
-                const bool is_finer = texel.level == texture::ConstrainedTexel::Level::finer;
-                const LinearImage& from = levels[is_finer ? level : level + 1];
-                const glm::dvec2 holder = glm::floor(cell / (is_finer ? 8.0 : 16.0));
-                sum += texel.weight *
+            for (std::size_t i = 0; i < taps.size(); ++i) {
+                const LinearImage& from = levels[std::size_t(finest + taps[i].level)];
+                const glm::dvec2 holder = glm::floor(point / double(8 << taps[i].level));
+                sum += weights[int(i)] *
                        glm::dvec4{from.at(
-                           texture::wrapped(wrap.u, std::int64_t(holder.x) + texel.column, from.width),
-                           texture::wrapped(wrap.v, std::int64_t(holder.y) + texel.row, from.height))};
+                           texture::wrapped(o.addressing.u, int(holder.x) + taps[i].column, from.width),
+                           texture::wrapped(o.addressing.v, int(holder.y) + taps[i].row, from.height))};
             }
             return sum;
+        };
+    });
+}
+
+texture::Method two_reads_displaced(double times) {
+    return made_of([times](const LinearImage& image, const FilterOptions& o) -> Colour {
+        return [times, levels = texture::mip_chain(image, o.mip_kernel, o.addressing), o,
+                table = texture::TwoReadsTable{}](const Footprint& f) {
+            const int coarsest = int(levels.size()) - 1;
+            const double lod = std::clamp(clamped_lod(std::log2(longer_step(f)), o), 0.0, double(coarsest));
+            const int finer = std::clamp(int(lod) - 1, 0, coarsest - 1);
+            const LinearImage &fine = levels[std::size_t(finer)], &coarse = levels[std::size_t(finer + 1)];
+            const glm::dvec2 place = f.centre * size_of(coarse) / size_of(levels.front()),
+                             cell = glm::floor(8.0 * (place - glm::floor(place)));
+            const texture::TwoReads reads =
+                table.at(int(8 * std::exp2(lod - finer) + 0.5), {int(cell.x), int(cell.y)});
+            const double share = reads.share / 64.0;
+            return share * bilinear(fine, o.addressing, 2.0 * place + times / 8 * glm::dvec2{reads.finer}) +
+                   (1 - share) *
+                       bilinear(coarse, o.addressing, place + times / 8 * glm::dvec2{reads.coarser});
         };
     });
 }

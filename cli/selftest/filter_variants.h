@@ -54,6 +54,9 @@ texture::Method summed_box(const SummedBox& parts);
 /// Cardinality-constrained, four texels, of weights whose sum is free. For levels that halve evenly.
 texture::Method constrained_freely();
 
+/// Two bilinear reads, so many times as far beside the place as the table says. For levels that halve evenly.
+texture::Method two_reads_displaced(double times);
+
 /// Stochastic bilinear, one sample; column and row are decided by the same number.
 texture::Method drawn_by_one_number();
 

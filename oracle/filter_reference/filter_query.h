@@ -67,6 +67,7 @@ std::vector<Definition> point_definitions();
 std::vector<Definition> separable_definitions();
 std::vector<Definition> mip_definitions();
 std::vector<Definition> cardinality_definitions();
+std::vector<Definition> bilinear_reads_definitions();
 std::vector<Definition> ripmap_definitions();
 std::vector<Definition> anisotropic_definitions();
 std::vector<Definition> openimageio_definitions();

@@ -57,8 +57,9 @@ std::span<const Definition> filter_definitions() {
         std::vector<Definition> list;
         for (const auto& family :
              {point_definitions, separable_definitions, mip_definitions, cardinality_definitions,
-              ripmap_definitions, anisotropic_definitions, openimageio_definitions, ewa_definitions,
-              sat_definitions, repeated_sat_definitions, supersample_definitions, stochastic_definitions})
+              bilinear_reads_definitions, ripmap_definitions, anisotropic_definitions,
+              openimageio_definitions, ewa_definitions, sat_definitions, repeated_sat_definitions,
+              supersample_definitions, stochastic_definitions})
             for (Definition& definition : family()) list.push_back(std::move(definition));
         return list;
     }();

@@ -1,79 +1,102 @@
-// Cardinality-constrained filters at places whose texels and weights are worked by hand.
+// Tables of few texels, and lookups of them, where the answer is known by hand.
 #include <gtest/gtest.h>
 
-#include <tuple>
-
 #include "tests/support/footprints.h"
+#include "texture/cardinality_table.h"
 #include "texture/catalogue.h"
+#include "texture/mip_chain.h"
 
 namespace zproof::texture {
 namespace {
 
-Sampler prepared(const char* name, const LinearImage& image) { return find_method(name)->prepare(image, {}); }
+const CardinalityTable& of_four() {
+    static const CardinalityTable table{4};
+    return table;
+}
 
-double distance(const glm::dvec4& a, const glm::dvec4& b) { return glm::length(a - b); }
+struct Expected {
+    int level, column, row;
+    double weight;
+};
 
-/// The taps of cardinality-4 where the square is 2 texels wide, of 64 x 64. Weights are in 1024ths.
-void expect_four(const glm::dvec2& place, const std::vector<Tap>& expected) {
-    const std::vector<Tap> taps =
-        prepared("cardinality-4", random_image(64, 64, 8)).taps(flat_footprint(place, {1.99, 0}, {0, 1.5}));
-    ASSERT_EQ(taps.size(), expected.size());
-    for (std::size_t i = 0; i < taps.size(); ++i) {
-        EXPECT_EQ(std::tie(taps[i].image, taps[i].column, taps[i].row),
-                  std::tie(expected[i].image, expected[i].column, expected[i].row));
-        EXPECT_NEAR(taps[i].weight, expected[i].weight / 1024, 1e-15);
+/// In any order; a millionth of |w|^2 in the balance moves weights by little more.
+void expect_taps(int u, int v, int lod, const std::vector<Expected>& expected) {
+    SCOPED_TRACE(testing::Message() << u << ", " << v << ", lod " << lod);
+    const auto taps = of_four().at(u, v, lod);
+    EXPECT_EQ(taps.size(), expected.size());
+    for (const Expected& e : expected) {
+        double weight = 0;
+        for (const TableTap& tap : taps)
+            if (tap.level == e.level && tap.column == e.column && tap.row == e.row) weight = tap.weight;
+        EXPECT_NEAR(weight, e.weight, 0x1p-18) << e.level << ": " << e.column << ", " << e.row;
     }
 }
 
-/// About 15/16 of the first texel of two the square covers 1/16, 1 and 15/16 of three texels along either
-/// axis. Best is the coarser texel, the mean 961/4 of 256, 240, 240 and 225 1024ths. Then 256 by itself,
-/// which leaves the mean 235; then the 16 above and the 16 on the left. What is missing, 15 + 15 + 1, is
-/// spread over the six texels that are covered.
-TEST(Cardinality, ChoosesAndWeighsFourTexelsAsItsCardSays) {
-    const double spread = 31 / 6.0;
-    expect_four({10 + 15 / 16.0, 18 + 15 / 16.0}, {{1, 5, 9, 4 * (235 + spread)},
-                                                   {0, 10, 17, 16 + spread},
-                                                   {0, 9, 18, 16 + spread},
-                                                   {0, 10, 18, 256 - 235}});
+/// At LOD 0 the pixel is as large as a texel of the finest level.
+TEST(CardinalityTable, TakesTheTexelThatThePixelIs) {
+    expect_taps(4, 4, 0, {{0, 0, 0, 1}});
+    expect_taps(12, 28, 0, {{0, 0, 0, 1}});
+    expect_taps(8, 8, 8, {{1, 0, 0, 1}});  // texels of level 1 are 16 places wide
+    expect_taps(24, 8, 8, {{1, 0, 0, 1}});
 }
 
-/// A texel to the right the coarser one has 16, 256, 15 and 240, which takes 527^2 / 4 off the squares; next
-/// are 240 and 225 beside it, and 256 by itself. What is missing is 1 + 16 + 15 above.
-TEST(Cardinality, KnowsInWhichHalfOfACoarserTexelItsPlaceLies) {
-    const double rest = (16 + 15 + 240) / 3.0, spread = 32 / 6.0;
-    expect_four({11 + 15 / 16.0, 18 + 15 / 16.0}, {{1, 5, 9, 4 * (rest + spread)},
-                                                   {0, 11, 18, 256 - rest},
-                                                   {0, 12, 18, 240 + spread},
-                                                   {0, 12, 19, 225 + spread}});
+TEST(CardinalityTable, SharesThePixelAmongTheTexelsThatItCovers) {
+    expect_taps(6, 4, 0, {{0, 0, 0, 0.75}, {0, 1, 0, 0.25}});
+    expect_taps(0, 0, 0, {{0, -1, -1, 0.25}, {0, 0, -1, 0.25}, {0, -1, 0, 0.25}, {0, 0, 0, 0.25}});
+    expect_taps(16, 16, 8, {{0, -1, -1, 0.25}, {0, 0, -1, 0.25}, {0, -1, 0, 0.25}, {0, 0, 0, 0.25}});
+    expect_taps(16, 8, 8, {{0, -1, -1, 0.25}, {0, 0, -1, 0.25}, {0, -1, 0, 0.25}, {0, 0, 0, 0.25}});
+    expect_taps(14, 5, 0, {{0, 0, 0, 0.65625}, {0, 1, 0, 0.21875}, {0, 0, 1, 0.09375}, {0, 1, 1, 0.03125}});
 }
 
-/// In the first of these places eight texels make all nine, since 240 stands twice under the coarser one.
-TEST(Cardinality, OfEightTexelsIsTheMeanWhereTheyMakeIt) {
-    const LinearImage image = random_image(64, 64, 8);
-    const Footprint f = flat_footprint({10 + 15 / 16.0, 18 + 15 / 16.0}, {1.99, 0}, {0, 1.5});
-    const int covered[] = {1, 16, 15};
-    glm::dvec4 mean{0};
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            mean += covered[column] * covered[row] / 1024.0 * glm::dvec4{image.at(9 + column, 17 + row)};
-    const Sampler sampler = prepared("cardinality-8", image);
-    EXPECT_EQ(sampler.taps(f).size(), 8u);
-    EXPECT_LE(distance(sampler.colour(f), mean), 0x1p-24 + 0x1p-50);  // of level 1, to float32
+/// Where one texel of level 1 is those four, an eighth of it takes the place of the last, and the same share
+/// of the others.
+TEST(CardinalityTable, TakesACoarserTexelForASharedRest) {
+    expect_taps(6, 5, 0, {{1, 0, 0, 0.125}, {0, 0, 0, 0.625}, {0, 1, 0, 0.1875}, {0, 0, 1, 0.0625}});
 }
 
-TEST(Cardinality, OfSideOneIsBilinearInTheMiddleOfItsCell) {
-    const LinearImage image = random_image(64, 64, 8);
-    const Footprint f = flat_footprint({10.06, 20.9}, {0.5, 0}, {0, 0.5}),
-                    there = flat_footprint({10.0625, 20.9375}, {0.5, 0}, {0, 0.5});
-    for (const char* name : {"cardinality-4", "cardinality-8"})
-        EXPECT_LE(distance(prepared(name, image).colour(f), prepared("bilinear", image).colour(there)),
-                  0x1p-50)
-            << name;
+TEST(CardinalityTable, HasWeightsOfSumOneAndNoMoreTexelsThanItMay) {
+    for (int lod = 0; lod < CardinalityTable::lods; ++lod)
+        for (int v = 0; v < CardinalityTable::places; ++v)
+            for (int u = 0; u < CardinalityTable::places; ++u) {
+                double sum = 0;
+                for (const TableTap& tap : of_four().at(u, v, lod)) sum += tap.weight;
+                ASSERT_NEAR(sum, 1, 0x1p-48);
+                ASSERT_LE(of_four().at(u, v, lod).size(), 4u);
+            }
+}
+
+glm::dvec4 read(const LinearImage& image, const glm::dvec2& place, double step) {
+    return find_method("cardinality-4")
+        ->prepare(image, {.mip_kernel = MipKernel::box})
+        .colour(flat_footprint(place, {step, 0}, {0, step}));
+}
+
+double apart(const glm::dvec4& a, const glm::dvec4& b) {
+    const glm::dvec4 d = glm::abs(a - b);
+    return std::max(std::max(d.x, d.y), std::max(d.z, d.w));
+}
+
+/// Levels of 16, 8, 4, 2 and 1 texels.
+TEST(Cardinality, ReadsTheTableAtTheNearestPlaceAndLod) {
+    const LinearImage image = random_image(16, 16, 6);
+    const std::vector<LinearImage> chain = mip_chain(image, MipKernel::box);
+    const auto texel = [&](std::size_t level, int column, int row) {
+        return glm::dvec4{chain[level].at(column, row)};
+    };
+    EXPECT_LE(apart(read(image, {5.5, 3.5}, 1), texel(0, 5, 3)), 1e-15);
+    EXPECT_LE(apart(read(image, {5.55, 3.45}, 1.04), texel(0, 5, 3)), 1e-15);  // within 1/16 of either
+    EXPECT_GT(apart(read(image, {5.5, 3.5}, 1.07), texel(0, 5, 3)), 1e-3);     // 0.8 eighths: a wider box
+    EXPECT_LE(apart(read(image, {7, 5}, 2), texel(1, 3, 2)), 1e-15);
+    EXPECT_LE(apart(read(image, {-9, 37}, 2), texel(1, 3, 2)), 1e-15);
+    EXPECT_LE(apart(read(image, {6, 14}, 4), texel(2, 1, 3)), 1e-15);
+    EXPECT_LE(apart(read(image, {3.3, 14}, 100), texel(4, 0, 0)), 1e-15);
+    EXPECT_LE(apart(read(image, {6.75, 2.5}, 1), 0.75 * texel(0, 6, 2) + 0.25 * texel(0, 7, 2)), 0x1p-18);
 }
 
 TEST(Cardinality, ReadsNoMoreTexelsThanItsNameSays) {
     const LinearImage image = random_image(48, 33, 1);
-    const Sampler four = prepared("cardinality-4", image), eight = prepared("cardinality-8", image);
+    const Sampler four = find_method("cardinality-4")->prepare(image, {}),
+                  eight = find_method("cardinality-8")->prepare(image, {});
     for (std::uint32_t seed = 0; seed < 200; ++seed) {
         EXPECT_LE(four.taps(random_footprint(seed)).size(), 4u) << seed;
         EXPECT_LE(eight.taps(random_footprint(seed)).size(), 8u) << seed;

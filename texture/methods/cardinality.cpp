@@ -1,4 +1,4 @@
-#include "texture/constrained_texels.h"
+#include "texture/cardinality_table.h"
 #include "texture/methods/families.h"
 #include "texture/methods/mip_reads.h"
 
@@ -6,83 +6,78 @@ namespace zproof::texture {
 
 namespace {
 
-/// Where a place lies along an axis of a level and of the next coarser one.
-struct PlaceOfTwoLevels {
-    std::int64_t finer, coarser;  ///< the texels that hold it
-    int cell;                     ///< of the coarser texel's 16
+template <int texels>
+const CardinalityTable& table() {
+    static const CardinalityTable made{texels};
+    return made;
+}
 
-    PlaceOfTwoLevels(double in_finer, double in_coarser) {
-        const std::int64_t eighth = texel_holding(8 * place_on_line(in_finer)),
-                           half = texel_holding(2 * place_on_line(in_coarser));
-        finer = eighth >> 3, coarser = half >> 1;
-        cell = int((half & 1) * 8 + (eighth & 7));
-    }
+/// The place in a level on the table's lattice, counted from 0: so many points a texel.
+struct LatticePoint {
+    std::int64_t u, v;
+
+    LatticePoint(const MipReads& mips, int level, const glm::dvec2& place, int points)
+        : u{nearest(place.x * mips.scale(level).x * points)},
+          v{nearest(place.y * mips.scale(level).y * points)} {}
+
+    static std::int64_t nearest(double x) { return texel_holding(x + 0.5); }
 };
 
-double middle_of_eighth(double place) { return (double(texel_holding(8 * place)) + 0.5) / 8; }
+/// The whole number at or below i / n.
+std::int64_t below(std::int64_t i, int n) { return (i - (i % n + n) % n) / n; }
 
-template <int most>
-struct Constrained {
+/// The texels of the entry that is nearest to the place and LOD. Every level has a lattice of its own; they
+/// are one where sizes halve evenly.
+template <int texels>
+struct TableReads {
     void operator()(const MipReads& mips, const Footprint& footprint, auto&& read) const {
-        const double lod = mips.in_chain(lod_gl_maximum(footprint));
-        const int level = int(lod);  // rounded down: it is not negative
-        const int side_eighths = int(8 * std::exp2(lod - level) + 0.5);
-        if (side_eighths > 8) return read_entry(mips, level, side_eighths, footprint.centre, read);
-        const glm::dvec2 place = footprint.centre * mips.scale(level);
-        read_bilinear(mips.levels[std::size_t(level)], mips.options.addressing,
-                      {middle_of_eighth(place.x), middle_of_eighth(place.y)},
-                      Tap{.image = level, .weight = 1}, read);
-    }
-
-  private:
-    static void read_entry(const MipReads& mips, int level, int side_eighths, const glm::dvec2& centre,
-                           auto&& read) {
-        static const ConstrainedTexels table{most, WeightTotal::one};
-        const glm::dvec2 in_finer = centre * mips.scale(level), in_coarser = centre * mips.scale(level + 1);
-        const PlaceOfTwoLevels u{in_finer.x, in_coarser.x}, v{in_finer.y, in_coarser.y};
-        for (const ConstrainedTexel& texel : table.at(side_eighths, u.cell, v.cell)) {
-            if (texel.level == ConstrainedTexel::Level::finer)
-                read(tap(mips, level, u.finer, v.finer, texel));
-            else
-                read(tap(mips, level + 1, u.coarser, v.coarser, texel));
+        constexpr int steps = CardinalityTable::steps, places = CardinalityTable::places;
+        const int coarsest = mips.coarsest(),
+                  lod = int(std::floor(steps * mips.in_chain(lod_gl_maximum(footprint)) + 0.5));
+        if (lod == steps * coarsest) return mips.nearest(coarsest, footprint.centre, 1, read);
+        const int finest =
+            std::clamp(lod / steps - 1, 0, std::max(0, coarsest + 1 - CardinalityTable::levels));
+        const LatticePoint entry{mips, finest, footprint.centre, steps};
+        for (const TableTap& tap : table<texels>().at(int(entry.u & (places - 1)),
+                                                      int(entry.v & (places - 1)), lod - steps * finest)) {
+            const int level = std::min(finest + tap.level, coarsest), points = steps << (level - finest);
+            const LatticePoint own{mips, level, footprint.centre, points};
+            const LinearImage& image = mips.levels[std::size_t(level)];
+            const Addressing& wrap = mips.options.addressing;
+            read(Tap{level, wrapped(wrap.u, below(own.u, points) + tap.column, image.width),
+                     wrapped(wrap.v, below(own.v, points) + tap.row, image.height), tap.weight});
         }
     }
-    static Tap tap(const MipReads& mips, int level, std::int64_t column, std::int64_t row,
-                   const ConstrainedTexel& texel) {
-        const LinearImage& image = mips.levels[std::size_t(level)];
-        const Addressing& wrap = mips.options.addressing;
-        return {level, wrapped(wrap.u, column + texel.column, image.width),
-                wrapped(wrap.v, row + texel.row, image.height), texel.weight};
-    }
 };
 
-template <int most>
-Method cardinality_method() {
-    const std::string count = std::to_string(most);
-    return {
-        .name = "cardinality-" + count,
-        .card = {.footprint = "The longer of the pixel's two steps.",
-                 .lod = "log2 of its length in texels; L is the LOD rounded down.",
-                 .taps = "At most " + count +
-                         " texels of levels L and L + 1, which stand for a mean: that of L's texels, as "
-                         "squares, over a square. Its side is 2^(LOD - L) texels of L, rounded half up "
-                         "to eighths; its centre is the middle of the cell that holds the place, of 8 x "
-                         "8 in L's texel. Where the side is 1: the mean itself, which is bilinear at "
-                         "that centre. Else texels are chosen one by one, a texel of L + 1 being taken "
-                         "for the mean of 2 x 2 of L. Each time it is the one with which least squares "
-                         "leave the least of the mean's weights in L. Of equal ones L + 1's come first, "
-                         "then upper rows, then left columns; none is chosen where nothing is left. Then "
-                         "the weights are those of least squares whose sum is 1. Which half of L + 1's "
-                         "texel holds the place, along either axis, tells how the two levels lie. "
-                         "Weights may be negative: the result may leave the texels' range.",
-                 .source = "Manson and Schaefer 2013, Cardinality-Constrained Texture Filtering: a fixed "
-                           "number of texels of several levels, least squares, a table. Their table is not "
-                           "at hand: the mean over a square, the cells and the rule of choice are ours"},
-        .prepare = prepare_mipped<Constrained<most>>};
+/// The table is made here, not by the first lookup.
+template <int texels>
+Sampler prepare_cardinality(const LinearImage& image, const FilterOptions& options) {
+    table<texels>();
+    return prepare_mipped<TableReads<texels>>(image, options);
+}
+
+template <int texels>
+Method cardinality() {
+    const std::string number = std::to_string(texels);
+    return {.name = "cardinality-" + number,
+            .card = {.footprint = "The longer of the pixel's two steps.",
+                     .lod = "log2 of its length in texels, biased, clamped, rounded half up to a multiple of "
+                            "1/8.",
+                     .taps = "At most " + number +
+                             " texels of three levels, with weights of sum 1: from the table of texels, "
+                             "for a box as wide as the footprint is long. It has 8 places a texel and 8 "
+                             "LODs a level; the nearest counts. At the last level its texel that holds "
+                             "the place is read. Weights may be negative: the result may leave the "
+                             "texels' range.",
+                     .source = "Manson and Schaefer 2013, Cardinality-Constrained Texture Filtering: few "
+                               "texels of several levels, by least squares, from a table. Its entries, the "
+                               "way to choose texels and the box as the target are ours"},
+            .prepare = prepare_cardinality<texels>};
 }
 
 }  // namespace
 
-std::vector<Method> cardinality_methods() { return {cardinality_method<4>(), cardinality_method<8>()}; }
+std::vector<Method> cardinality_methods() { return {cardinality<4>(), cardinality<8>()}; }
 
 }  // namespace zproof::texture

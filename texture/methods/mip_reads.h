@@ -38,10 +38,15 @@ struct MipReads {
     /// One level; the place is in texels of level 0.
     template <class Read>
     void bilinear(int level, const glm::dvec2& place, double weight, Read&& read) const {
+        bilinear_in(level, place * scale(level), weight, read);
+    }
+    /// The place is in texels of that level.
+    template <class Read>
+    void bilinear_in(int level, const glm::dvec2& place, double weight, Read&& read) const {
         if constexpr (takes_whole_reads<Read>)
-            return read.bilinear(level, place * scale(level), weight);
+            return read.bilinear(level, place, weight);
         else
-            read_bilinear(levels[std::size_t(level)], options.addressing, place * scale(level),
+            read_bilinear(levels[std::size_t(level)], options.addressing, place,
                           Tap{.image = level, .weight = weight}, read);
     }
     template <class Read>
