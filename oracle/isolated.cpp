@@ -15,6 +15,7 @@
 #include <cstring>
 #include <fstream>
 #include <new>
+#include <optional>
 #include <span>
 
 #include "frame/frame_error.h"
@@ -30,6 +31,15 @@ struct Answer {
     enum class Kind : std::uint64_t { result, refusal, failure } kind;
     std::uint64_t size;
 };
+
+/// What all that was sent begins with; nothing where it is not as long as it says.
+std::optional<Answer> whole_answer(const Bytes& sent) {
+    Answer answer{};
+    if (sent.size() < sizeof answer) return {};
+    std::memcpy(&answer, sent.data(), sizeof answer);
+    if (sent.size() - sizeof answer != answer.size) return {};
+    return answer;
+}
 
 void limit_memory(std::size_t more_bytes) {
     const rlim_t most = address_space_bytes() + more_bytes;
@@ -103,7 +113,7 @@ class Copy {
     Copy(const Copy&) = delete;
     Copy& operator=(const Copy&) = delete;
 
-    /// All that it sends until it closes its end. False where its time is up.
+    /// All that it sends until that is whole, or it ends. False where its time is up.
     bool take(Bytes& all, Clock::time_point deadline) const {
         constexpr std::size_t piece = std::size_t{1} << 20;
         for (std::size_t size = 0;;) {
@@ -115,7 +125,7 @@ class Copy {
             const ssize_t count = ::read(from_.number(), all.data() + size, piece);
             size += std::size_t(std::max<ssize_t>(count, 0));
             all.resize(size);
-            if (count == 0 || (count < 0 && errno != EINTR)) return true;
+            if (count == 0 || (count < 0 && errno != EINTR) || whole_answer(all)) return true;
         }
     }
 
@@ -154,18 +164,17 @@ Bytes isolated(const std::string& name, const IsolationLimits& limits, const std
     if (!copy.take(sent, deadline))
         throw FrameError(name + ": cannot be read within the time limit of " +
                          std::to_string(std::chrono::ceil<std::chrono::seconds>(limits.time).count()) + " s");
-    Answer answer{};
-    if (sent.size() >= sizeof answer) std::memcpy(&answer, sent.data(), sizeof answer);
-    if (sent.size() < sizeof answer || sent.size() - sizeof answer != answer.size) {
+    const auto answer = whole_answer(sent);
+    if (!answer) {
         const int status = copy.end();
         const int number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
         throw FrameError(name + ": cannot be read: its reader crashed (signal " + std::to_string(number) +
                          ", " + strsignal(number) + ")");
     }
-    sent.erase(sent.begin(), sent.begin() + sizeof answer);
-    if (answer.kind == Answer::Kind::result) return sent;
+    sent.erase(sent.begin(), sent.begin() + sizeof *answer);
+    if (answer->kind == Answer::Kind::result) return sent;
     const std::string words(reinterpret_cast<const char*>(sent.data()), sent.size());
-    throw FrameError(answer.kind == Answer::Kind::refusal ? words : name + ": cannot be read: " + words);
+    throw FrameError(answer->kind == Answer::Kind::refusal ? words : name + ": cannot be read: " + words);
 }
 
 }  // namespace zproof::oracle

@@ -242,7 +242,9 @@ texture::Method two_reads_displaced(double times) {
                 table = texture::TwoReadsTable{}](const Footprint& f) {
             const int coarsest = int(levels.size()) - 1;
             const double lod = std::clamp(clamped_lod(std::log2(longer_step(f)), o), 0.0, double(coarsest));
-            const int finer = std::clamp(int(lod) - 1, 0, coarsest - 1);
+            if (lod >= coarsest)
+                return bilinear(levels.back(), o.addressing, f.centre / size_of(levels.front()));
+            const int finer = std::max(int(lod) - 1, 0);
             const LinearImage &fine = levels[std::size_t(finer)], &coarse = levels[std::size_t(finer + 1)];
             const glm::dvec2 place = f.centre * size_of(coarse) / size_of(levels.front()),
                              cell = glm::floor(8.0 * (place - glm::floor(place)));

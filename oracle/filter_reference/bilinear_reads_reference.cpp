@@ -41,7 +41,7 @@ class DisplacedReads {
 
     /// All that may be read where the LOD is of this whole part.
     void add(int whole, const Interval& lod, PermittedColours& all) const {
-        const int last = int(levels_.count()) - 1, finer = std::clamp(whole - 1, 0, last - 1);
+        const int finer = std::max(whole - 1, 0);
         const Interval above = clamped(lod, whole, whole + 1.0) - Interval{double(finer)},
                        side = widen(Interval{8} * exp2(above), 0x1p-46) + Interval{0.5};
         const int widest = std::min(int(std::floor(side.high())), TwoReadsSearch::most_side);
@@ -82,11 +82,12 @@ class DisplacedReads {
 };
 
 PermittedColours two_reads(const Levels& levels, const FilterQuery& q) {
-    if (levels.count() == 1) return {levels.bilinear_in(0, q.footprint().centre, q.precision)};
     const Interval level =
         level_of(lod(LodRule::gl_maximum, q.footprint()), levels.settings(), levels.count(), q.precision);
+    const int last = int(levels.count()) - 1;
     PermittedColours all;
-    for (int whole = int(std::floor(level.low())); double(whole) <= level.high(); ++whole)
+    if (level.high() >= last) all.push_back(levels.bilinear_in(last, q.footprint().centre, q.precision));
+    for (int whole = int(std::floor(level.low())); whole < last && double(whole) <= level.high(); ++whole)
         DisplacedReads{levels, q}.add(whole, level, all);
     return all;
 }

@@ -66,6 +66,19 @@ TEST(Isolated, IsNotBelievedWhereItsAnswerIsCut) {
     }
 }
 
+/// A whole answer is not waited for any longer, although something holds the pipe open: here a descendant.
+TEST(Isolated, IsDoneWhenItsAnswerIsWhole) {
+    const IsolationLimits limits{generous.memory_bytes, std::chrono::seconds(20)};
+    const auto leaves_a_descendant = [] {
+        if (fork() == 0) {
+            alarm(60);
+            for (;;) pause();
+        }
+        return Bytes(5);
+    };
+    EXPECT_EQ(isolated("x.exr", limits, leaves_a_descendant).size(), 5u);
+}
+
 TEST(Isolated, IsEndedByNoInterruptOfItsParent) {
     for (const int number : {SIGINT, SIGTERM, SIGHUP})
         EXPECT_FALSE(isolated("x.exr", generous, [=] {

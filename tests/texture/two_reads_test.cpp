@@ -184,7 +184,17 @@ TEST(BilinearReads, ReadTheTableAtTheirSideAndCell) {
     expect({5.3, 2.7}, 3, 0, 24, {5, 2});     // LOD 1.58: still level 0
     expect({5.3, 2.7}, 5, 1, 20, {2, 5});     // LOD 2.32: levels 1 and 2; 1.325 and 0.675 coarser texels
     expect({-2.7, 21.3}, 5, 1, 20, {2, 2});   // -0.675 and 5.325
-    expect({5.3, 2.7}, 100, 3, 16, {2, 1});   // the last level's LOD: a side of 2 texels of the one before
+    expect({5.3, 2.7}, 15.9, 2, 32, {5, 2});  // LOD 3.99: levels 2 and 3
+}
+
+TEST(BilinearReads, ReadTheLastLevelAloneAtItsLod) {
+    const LinearImage image = random_image(16, 8, 6);
+    const std::vector<LinearImage> chain = mip_chain(image, MipKernel::box);
+    for (const double step : {16.0, 100.0, 1e9})
+        EXPECT_LE(apart(prepared(image).colour(flat_footprint({5.3, 2.7}, {step, 0}, {0, 1})),
+                        glm::dvec4{chain.back().at(0, 0)}),
+                  0x1p-50)
+            << step;
 }
 
 TEST(BilinearReads, MakeWeightsOfSumOneNoneNegativeOfAtMostEightTexels) {

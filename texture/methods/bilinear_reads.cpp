@@ -21,9 +21,9 @@ int cell_holding(double in_finer, double in_coarser) {
 struct TwoDisplacedReads {
     void operator()(const MipReads& mips, const Footprint& footprint, auto&& read) const {
         const glm::dvec2& centre = footprint.centre;
-        if (mips.coarsest() == 0) return mips.bilinear(0, centre, 1, read);
         const double lod = mips.in_chain(lod_gl_maximum(footprint));
-        const int finer = std::clamp(int(lod) - 1, 0, mips.coarsest() - 1);
+        if (lod >= mips.coarsest()) return mips.bilinear(mips.coarsest(), centre, 1, read);
+        const int finer = std::max(int(lod) - 1, 0);
         const int side_eighths = int(8 * std::exp2(lod - finer) + 0.5);
         const glm::dvec2 in_finer = centre * mips.scale(finer), in_coarser = centre * mips.scale(finer + 1);
         const TwoReads reads = two_reads_table().at(
@@ -48,12 +48,12 @@ std::vector<Method> bilinear_reads_methods() {
         {.name = "bilinear-reads-2",
          .card =
              {.footprint = "The longer of the pixel's two steps.",
-              .lod = "log2 of its length in texels, biased, clamped. m is the LOD rounded down, less 1: at "
-                     "least 0, at most the last level but one.",
+              .lod = "log2 of its length in texels, biased, clamped. m is the LOD rounded down, less 1, at "
+                     "least 0.",
               .taps = "One bilinear read of level m, one of m + 1, blended. How far each stands beside the "
                       "place, and the blend, are from the table of reads, for a square of side 2^(LOD - m) "
                       "texels of m, rounded half up to eighths. A read of weight 0 is left out; no weight is "
-                      "negative. A texture of one level is read bilinearly.",
+                      "negative. At the last level's LOD that level alone is read bilinearly.",
               .source = "Manson and Schaefer 2014, Bilinear Accelerated Filter Approximation: two bilinear "
                         "reads of adjacent levels, displaced and blended by least squares, from a table. "
                         "Their tables are not at hand: the square as the target, cells, steps and search "
