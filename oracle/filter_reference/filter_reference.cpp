@@ -15,8 +15,8 @@ texture::LinearImage linear(const Image& image) {
     return texture::linear_image({image.width, image.height, image.texels});
 }
 
-/// What the sums over texels may cost, theirs and ours; no definition adds more terms than this, and no sum
-/// of absolute weights exceeds 2 (bicubic: 1.5625) where texels lie in [0, 1].
+/// What the sums over texels may cost, theirs and ours, where texels lie in [0, 1]. No definition's number of
+/// terms times the sum of their absolute weights is more than this; cardinality-8's is 8 times 4.1 at most.
 constexpr int most_terms = 4096;
 
 /// The factor may be read as the file's number or as the float32 nearest to it, or be anything between.

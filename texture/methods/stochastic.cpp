@@ -116,6 +116,12 @@ Sampler prepare_stochastic_trilinear(const LinearImage& image, const FilterOptio
                    stored_mip_chain(image, options.mip_kernel, options.addressing));
 }
 
+/// The mask is made here, not by the first lookup.
+Sampler prepare_stochastic_blue(const LinearImage& image, const FilterOptions& options) {
+    blue_noise_ranks();
+    return prepare_stochastic_trilinear<FrameNoise<blue_number>>(image, options);
+}
+
 constexpr const char* noise_rule =
     "Each decision has a number in [0, 1) of its own, a hash of seed, pixel, sample and decision: white "
     "noise.";
@@ -173,7 +179,7 @@ std::vector<Method> stochastic_methods() {
               .source = "Ulichney 1993, The void-and-cluster method for dither array generation; Pharr, "
                         "Wronski, Salvi and Fajardo 2024, Filtering After Shading With Stochastic Texture "
                         "Filtering, for blue noise; mask and frames are ours"},
-         .prepare = prepare_stochastic_trilinear<FrameNoise<blue_number>>}};
+         .prepare = prepare_stochastic_blue}};
 }
 
 }  // namespace zproof::texture
