@@ -35,7 +35,9 @@ PATIENCE_SECONDS = 300
 REMOVALS = ("unlink", "rmdir", "getdents64", "openat", "fcntl")
 STATUSES = {0, 1, 2, 3, 4, 70, 130}
 # clone3, which starts a thread, is left out: liblog4cplus, which OpenImageIO brings along, aborts or waits for ever where it
-# gets none for its pool, while it is being loaded.
+# gets none for its pool, while it is being loaded. So are stacks of threads, which mmap gives. Pipes are left out of close:
+# Linux closes them whatever it says, but strace leaves them open.
+LEFT_OUT = re.compile(r"(MAP_STACK|close\(\d+<pipe:).*\(INJECTED\)")
 ERRORS = {"write": ["ENOSPC", "EIO", "EINTR"], "pwrite64": ["ENOSPC", "EIO"], "writev": ["ENOSPC", "EIO"],
           "openat": ["EMFILE", "EIO", "ENOMEM"], "read": ["EIO", "EINTR"], "close": ["EIO"], "fsync": ["EIO", "ENOSPC"],
           "rename": ["ENOSPC", "EIO"], "renameat2": ["EIO", "EINVAL"], "mkdir": ["ENOSPC"], "mmap": ["ENOMEM"],
@@ -171,8 +173,8 @@ class Trial:
         """Runs the command; strace injects only into calls that it traces. Threads may not come as far as the place."""
         self.restore()
         call, how = fault.split(":")[:2]
-        done, log = self.traced("-e", "trace=" + call, "-e", "inject=" + fault)
-        if "(INJECTED)" in log or "killed by SIGKILL" in log:
+        done, log = self.traced("-y", "-e", "trace=" + call, "-e", "inject=" + fault)
+        if ("(INJECTED)" in log and not LEFT_OUT.search(log)) or "killed by SIGKILL" in log:
             self.tried[call, how] += 1
         else:
             self.not_reached += 1
@@ -180,11 +182,11 @@ class Trial:
 
     def try_fault(self, fault):
         done, log = self.injected(fault)
-        if re.search(r"MAP_STACK.*\(INJECTED\)", log):
+        if LEFT_OUT.search(log):
             return
         if done.returncode not in STATUSES:
             self.complain("not a documented status", done, fault)
-        is_silenced = re.search(r"write\(2,.*\(INJECTED\)", log)
+        is_silenced = re.search(r"write\(2\b.*\(INJECTED\)", log)
         if done.returncode != 0 and not done.stderr.strip() and not is_silenced:
             self.complain("no word of it", done, fault)
         if done.returncode == self.success and self.text(self.folder) != self.new:
