@@ -7,12 +7,9 @@ namespace zproof::oracle::filter_reference {
 
 namespace {
 
-/// Of a place this wide, which only a search for a cause asks for, nothing is told.
-constexpr double widest_place = 2;
-
-void require_narrow(const TexelInterval& place) {
-    for (const Interval& p : {place.u, place.v})
-        if (!(p.high() - p.low() < widest_place)) throw UndecidedSign{};
+/// Of a place this wide, two texels, any mean of the levels is permitted.
+bool covers_two_texels(const TexelInterval& place) {
+    return !(place.u.high() - place.u.low() < 2 && place.v.high() - place.v.low() < 2);
 }
 
 /// What floor(parts * place) modulo `cycle` may be.
@@ -52,8 +49,8 @@ class DisplacedReads {
   private:
     void add_side(int finer, int eighths, PermittedColours& all) const {
         const TexelInterval fine = place_of(finer), coarse = place_of(finer + 1);
-        require_narrow(fine);
-        require_narrow(coarse);
+        if (covers_two_texels(fine) || covers_two_texels(coarse))
+            return all.push_back(hull(levels_.at(finer).range, levels_.at(finer + 1).range));
         for (const int row : cells_holding(fine.v, coarse.v))
             for (const int column : cells_holding(fine.u, coarse.u)) {
                 const TwoReadsFound& reads = two_reads_search().at(eighths, column, row);

@@ -11,6 +11,9 @@ namespace {
 /// them all.
 constexpr double weight_error = 0x1p-30;
 
+/// No entry's absolute weights add up to more: the same test.
+constexpr double most_absolute_weights = 5;
+
 /// Lattice points that may be the nearest one, first to last.
 struct Points {
     std::int64_t first, last;
@@ -18,8 +21,12 @@ struct Points {
 
 Points points_near(const Interval& place, int a_texel) {
     const Interval at = Interval{double(a_texel)} * place + Interval{0.5};
-    if (!(at.high() - at.low() < 8)) throw UndecidedSign{};
     return {std::int64_t(std::floor(at.low())), std::int64_t(std::floor(at.high()))};
+}
+
+/// Of a place this wide, a texel of the finest level, all that any entry can make of the levels is permitted.
+bool covers_a_texel(const TexelInterval& place) {
+    return !(place.u.high() - place.u.low() < 1 && place.v.high() - place.v.low() < 1);
 }
 
 /// The texels that hold them.
@@ -46,6 +53,7 @@ class Lookup {
             return;
         }
         const int finest = std::max(0, std::min(lod / 8 - 1, coarsest - 2));
+        if (covers_a_texel(place_of(finest))) return all.push_back(any_entry(finest));
         const Place near = points_in(finest, 8);
         for (std::int64_t v = near.v.first; v <= near.v.last; ++v)
             for (std::int64_t u = near.u.first; u <= near.u.last; ++u)
@@ -53,21 +61,41 @@ class Lookup {
     }
 
   private:
+    TexelInterval place_of(int level) const {
+        return place_in(levels_.at(level), levels_.at(0), centre_, precision_);
+    }
     Place points_in(int level, int a_texel) const {
-        const TexelInterval place = place_in(levels_.at(level), levels_.at(0), centre_, precision_);
+        const TexelInterval place = place_of(level);
         return {points_near(place.u, a_texel), points_near(place.v, a_texel)};
     }
+    /// Weights of sum 1 leave the middle of the texels' range by their absolute sum times its half at most.
+    ColourRange any_entry(int finest) const {
+        ColourRange range = levels_.at(finest).range;
+        for (int level = finest; level <= std::min(finest + 2, int(levels_.count()) - 1); ++level)
+            range = hull(range, levels_.at(level).range);
+        const double error = weight_error + std::exp2(-precision_.weight_bits);
+        return around((range.low + range.high) / 2.0,
+                      (most_absolute_weights + 8 * error) * (range.high - range.low) / 2.0);
+    }
+    /// Weights that are off have a sum of 1, too: each moves the sum by its error times the texel's distance
+    /// from anything, here from the middle of the sum.
     ColourRange sum_of(const std::vector<ChosenTexel>& texels, int finest) const {
         ColourRange sum;
+        std::vector<ColourRange> read;
         for (const ChosenTexel& texel : texels) {
             const int level = std::min(finest + texel.level, int(levels_.count()) - 1),
                       a_texel = 8 << (level - finest);
             const Place near = points_in(level, a_texel);
-            sum = sum + widen(Interval{texel.weight}, weight_error + std::exp2(-precision_.weight_bits)) *
-                            any_of(level, texel,
-                                   {texels_holding(near.u, a_texel), texels_holding(near.v, a_texel)});
+            read.push_back(
+                any_of(level, texel, {texels_holding(near.u, a_texel), texels_holding(near.v, a_texel)}));
+            sum = sum + Interval{texel.weight} * read.back();
         }
-        return sum;
+        const glm::dvec3 middle = (sum.low + sum.high) / 2.0;
+        glm::dvec3 farthest{0};
+        for (const ColourRange& one : read)
+            farthest += glm::max(glm::abs(one.low - middle), glm::abs(one.high - middle));
+        const glm::dvec3 error = (weight_error + std::exp2(-precision_.weight_bits)) * farthest;
+        return {sum.low - error, sum.high + error};
     }
     ColourRange any_of(int level, const ChosenTexel& texel, const Place& holding) const {
         const IntervalImage& image = levels_.at(level);

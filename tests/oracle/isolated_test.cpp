@@ -71,7 +71,7 @@ TEST(Isolated, IsDoneWhenItsAnswerIsWhole) {
     const IsolationLimits limits{generous.memory_bytes, std::chrono::seconds(20)};
     const auto leaves_a_descendant = [] {
         if (fork() == 0) {
-            alarm(60);
+            alarm(25);
             for (;;) pause();
         }
         return Bytes(5);
