@@ -110,7 +110,8 @@ TEST(RuleTold, IsNotTheFactorOfOneWrongPixel) {
     EXPECT_FALSE(told && told->rule == FilterRule::factor);
 }
 
-/// Of a 2 x 2 read and of the blend of two levels: neither a place nor an LOD explains both.
+/// Of a 2 x 2 read and of the blend of two levels: neither a place nor an LOD explains both. Splits are
+/// exact, as the sampler's are: with the nine bits of gpu a place that is two texels off explains both, too.
 TEST(RuleTold, IsWeightsWhereTheyHaveTooFewBits) {
     const selftest::FilterFixture fixture = selftest::filter_fixture(selftest::Ground::noise);
     const Lattice quarters{.bits = 2};
