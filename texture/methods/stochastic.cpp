@@ -58,7 +58,8 @@ double interleaved_number(std::uint32_t frame, const glm::dvec2& pixel) {
 /// Of the mask's 4096, in the middle of its step; every frame moves it on by the golden ratio, in 2^-32.
 double blue_number(std::uint32_t frame, const glm::dvec2& pixel) {
     const auto cell = [](double at) {
-        return std::size_t(at - blue_noise_side * std::floor(at / blue_noise_side));
+        const double within = at - blue_noise_side * std::floor(at / blue_noise_side);
+        return within >= 0 ? std::size_t(within) : 0;  // the first, of a place that is no number
     };
     const std::uint32_t rank = blue_noise_ranks()[cell(pixel.y) * blue_noise_side + cell(pixel.x)];
     return double((rank << 20) + (1u << 19) + frame * 2654435769u) * 0x1p-32;
