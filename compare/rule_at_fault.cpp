@@ -113,8 +113,8 @@ bool promises_nothing(const RuleRelaxation& relaxation) {
     return relaxation.rule == FilterRule::weights && relaxation.bits <= fewest_bits(FilterRule::weights);
 }
 
-/// Other places show other texels: the same move does not make every opposite error as well. Where it would,
-/// the definition bounds what places may do by any error of that size (summed areas).
+/// Such a move of places tells nothing: it makes the opposite of every error as well. So it is where the
+/// definition bounds what places may do by any error of that size (summed areas), and on a gradient.
 bool is_any_error(const RuleRelaxation& relaxation) {
     const FilterRule rule = relaxation.rule;
     return (rule == FilterRule::coordinates || rule == FilterRule::footprint || rule == FilterRule::taps) &&
