@@ -28,6 +28,13 @@ enum class EdgeFunctions {
     exact,        ///< without error, as integers of the grid are
     from_corner,  ///< (p - p0) x (p1 - p0) in window coordinates, rounded
     homogeneous,  ///< (p0 x p1) . (x, y, 1) of corners before the divide, rounded (Olano and Greer 1997)
+    window_coefficients,  ///< a x + b y + c with coefficients of window coordinates, rounded
+};
+
+/// How the third of a point's barycentric weights is made, where edge functions are rounded.
+enum class ThirdWeight {
+    edge_function,  ///< as the other two are
+    remainder,      ///< 1 minus the other two
 };
 
 /// What clipping in float32 leaves of a triangle that reaches beyond the image.
@@ -44,7 +51,14 @@ enum class DepthBuffer {
 };
 
 /// How z is stored.
-enum class DepthFormat { float32, unorm16, unorm24, unorm32 };
+enum class DepthFormat { float32, float64, unorm16, unorm24, unorm32 };
+
+/// How z becomes a step of a unorm format.
+enum class DepthRounding {
+    either,    ///< one of the two steps beside it (OpenGL 4.6, 2.3.5)
+    nearest,   ///< the nearest step
+    truncate,  ///< the step below
+};
 
 /// What near and far become by the projection matrix, before the viewport maps z to [0, 1].
 enum class ClipRange { zero_to_one, minus_one_to_one };
@@ -75,16 +89,19 @@ struct RasterPrecision {
     int subpixel_bits = 8;                       ///< grid step is 2^-subpixel_bits px
     Snap snap = Snap::nearest;                   ///< onto that grid
     EdgeFunctions edge_functions = EdgeFunctions::exact;
-    Arithmetic edge_arithmetic = Arithmetic::float32;  ///< of edge functions that are rounded
-    double barycentric_tolerance = 0;                  ///< a point counts as inside down to minus this
-    double least_area_px2 = 0;                         ///< triangles below it need not be drawn
+    Arithmetic edge_arithmetic = Arithmetic::float32;       ///< of edge functions that are rounded
+    ThirdWeight third_weight = ThirdWeight::edge_function;  ///< of edge functions that are rounded
+    double barycentric_tolerance = 0;                       ///< a point counts as inside down to minus this
+    double least_area_px2 = 0;                              ///< triangles below it need not be drawn
     double area_epsilon_px2 = 0;  ///< is added to the area that barycentrics are divided by
     bool watertight = true;       ///< do triangles that share an edge move it alike, and leave no gap?
+    bool nothing_behind_the_eye = false;  ///< is nothing drawn at a negative depth, whatever near says?
     Clipping clipping = Clipping::guard_band;
     DepthBuffer depth_buffer = DepthBuffer::camera_depth;
-    DepthFormat depth_format = DepthFormat::float32;  ///< of reversed_z and standard_z
-    ClipRange clip_range = ClipRange::zero_to_one;    ///< the same
-    MatrixFar matrix_far = MatrixFar::infinite;       ///< the same; parallel projections have a finite one
+    DepthFormat depth_format = DepthFormat::float32;       ///< of reversed_z and standard_z
+    DepthRounding depth_rounding = DepthRounding::either;  ///< of its unorm formats
+    ClipRange clip_range = ClipRange::zero_to_one;         ///< of reversed_z and standard_z
+    MatrixFar matrix_far = MatrixFar::infinite;  ///< the same; parallel projections have a finite one
     DepthInterpolation depth_interpolation = DepthInterpolation::barycentrics;
     Arithmetic interpolation = Arithmetic::float32;  ///< of barycentrics' weighted mean
     Arithmetic linearization = Arithmetic::float64;  ///< from z back to camera depth
@@ -119,6 +136,7 @@ struct RayPrecision {
     double least_determinant = 0;      ///< triangles with a smaller |normal . direction| need not be hit
     HitPoint hit_point = HitPoint::distance;
     double world_absolute = 0;  ///< a further error of corners in each axis, scene units
+    double depth_of_range = 0;  ///< a further error of depth, as a share of far - near; needs a finite far
 
     bool operator==(const RayPrecision&) const = default;
 };

@@ -26,13 +26,16 @@ void visit_fields(RasterPrecision& p, const Visit& visit) {
     visit("snap", p.snap);
     visit("edge_functions", p.edge_functions);
     visit("edge_arithmetic", p.edge_arithmetic);
+    visit("third_weight", p.third_weight);
     visit("barycentric_tolerance", p.barycentric_tolerance, share);
     visit("least_area_px2", p.least_area_px2, length);
     visit("area_epsilon_px2", p.area_epsilon_px2, length);
     visit("watertight", p.watertight);
+    visit("nothing_behind_the_eye", p.nothing_behind_the_eye);
     visit("clipping", p.clipping);
     visit("depth_buffer", p.depth_buffer);
     visit("depth_format", p.depth_format);
+    visit("depth_rounding", p.depth_rounding);
     visit("clip_range", p.clip_range);
     visit("matrix_far", p.matrix_far);
     visit("depth_interpolation", p.depth_interpolation);
@@ -53,6 +56,7 @@ void visit_fields(RayPrecision& p, const Visit& visit) {
     visit("least_determinant", p.least_determinant, length);
     visit("hit_point", p.hit_point);
     visit("world_absolute", p.world_absolute, length);
+    visit("depth_of_range", p.depth_of_range, share);
 }
 
 template <class Visit>

@@ -47,6 +47,18 @@ constexpr std::string_view word_of(EdgeFunctions value) {
             return "from_corner";
         case EdgeFunctions::homogeneous:
             return "homogeneous";
+        case EdgeFunctions::window_coefficients:
+            return "window_coefficients";
+    }
+    return {};
+}
+
+constexpr std::string_view word_of(ThirdWeight value) {
+    switch (value) {
+        case ThirdWeight::edge_function:
+            return "edge_function";
+        case ThirdWeight::remainder:
+            return "remainder";
     }
     return {};
 }
@@ -77,12 +89,26 @@ constexpr std::string_view word_of(DepthFormat value) {
     switch (value) {
         case DepthFormat::float32:
             return "float32";
+        case DepthFormat::float64:
+            return "float64";
         case DepthFormat::unorm16:
             return "unorm16";
         case DepthFormat::unorm24:
             return "unorm24";
         case DepthFormat::unorm32:
             return "unorm32";
+    }
+    return {};
+}
+
+constexpr std::string_view word_of(DepthRounding value) {
+    switch (value) {
+        case DepthRounding::either:
+            return "either";
+        case DepthRounding::nearest:
+            return "nearest";
+        case DepthRounding::truncate:
+            return "truncate";
     }
     return {};
 }

@@ -276,6 +276,7 @@ double RasterBounds::edge_functions_eps_px(const ViewFacts& facts, const Triangl
     switch (precision_.edge_functions) {
         case EdgeFunctions::exact:
             return 0;
+        case EdgeFunctions::window_coefficients:
         case EdgeFunctions::from_corner:
             // 4 roundings of (x - x0) dy - (y - y0) dx, over |dx| + |dy|: a share of the larger difference
             return gammas_of(unit)[4] * reach_px(facts, extent, reach_limit_px(facts));

@@ -40,6 +40,7 @@ ZRange z_range(const Camera& camera, const RasterPrecision& precision) {
 double quantization_error(DepthFormat format) {
     switch (format) {
         case DepthFormat::float32:
+        case DepthFormat::float64:
             return 0;  // one of the roundings of z
         case DepthFormat::unorm16:
             return 1 / (std::exp2(16) - 1);
