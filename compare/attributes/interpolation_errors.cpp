@@ -17,7 +17,7 @@ double dot_abs(const Vector3<double>& a, const Vector3<double>& b) { return dot(
 /// What 1 / depth costs, twice: value / depth is such a sum as well. A corner's weight is 1 / depth.
 double relative_of_depth(const Surface& s) {
     const double of_corner = s.facts.perspective ? s.bounds.depth_absolute / s.bounds.nearest : 0;
-    return 2 * (s.bounds.depth_factor + of_corner) + unit_roundoff_float32;
+    return 2 * (s.bounds.depth_factor + s.bounds.depth_share + of_corner) + unit_roundoff_float32;
 }
 
 bool is_cut(const RasterPrecision& precision, const Surface& s) {

@@ -7,6 +7,7 @@ TriangleBounds bounds_of(const DepthTerms& terms) {
     bounds.eps_base_px = bounds.depth_eps_base_px = terms.eps_base_px;
     bounds.eps_per_inverse_depth = bounds.depth_eps_per_inverse_depth = terms.eps_per_inverse_depth;
     bounds.depth_factor = terms.factor;
+    bounds.depth_share = terms.share;
     bounds.depth_absolute = terms.absolute;
     bounds.inverse_depth_error = terms.inverse_depth_error;
     bounds.plane_offset = terms.plane_offset;
@@ -23,7 +24,7 @@ BoundsOnPlane::BoundsOnPlane(const TriangleBounds& b, double gradient)
       depth_eps_px_(b.depth_eps_base_px, b.depth_eps_per_inverse_depth, gradient, corners_.highest),
       depth_factor_(b.depth_factor),
       plane_offset_(b.plane_offset),
-      depth_relative_(compounded(b.depth_factor)),
+      depth_relative_(compounded(b.depth_factor) + b.depth_share),
       depth_absolute_(b.depth_absolute),
       inverse_depth_error_(b.inverse_depth_error) {}
 

@@ -22,6 +22,7 @@ struct TriangleBounds {
     double eps_base_px = 0, eps_per_inverse_depth = 0;  ///< eps = base + per_inverse_depth * inverse depth
     double depth_eps_base_px = 0, depth_eps_per_inverse_depth = 0;  ///< the same for depth
     double depth_factor = 0;  ///< sum of the relative errors of depth's factors
+    double depth_share = 0;   ///< a further relative error of depth, as a share of itself
     double depth_absolute = 0;
     double inverse_depth_error = 0;        ///< z-buffer: of inverse depth, anywhere on the triangle
     double plane_offset = 0;               ///< ray: error of (normal . direction) / volume, in inverse depth
@@ -33,8 +34,8 @@ struct TriangleBounds {
     /// |d/dy|) per pixel.
     LocalBounds at(double inverse_depth, double gradient) const;
     DepthTerms depth_terms() const {
-        return {depth_eps_base_px, depth_eps_per_inverse_depth, depth_factor,
-                depth_absolute,    inverse_depth_error,         plane_offset};
+        return {depth_eps_base_px,   depth_eps_per_inverse_depth, depth_factor, depth_absolute,
+                inverse_depth_error, plane_offset,                depth_share};
     }
 };
 

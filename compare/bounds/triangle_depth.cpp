@@ -21,7 +21,7 @@ TriangleDepth::TriangleDepth(const TriangleInView& triangle, const ViewBounds& o
     eps_px_ = Displacement(terms.eps_base_px, terms.eps_per_inverse_depth, gradient_, corners_.highest);
     factor_ = terms.factor;
     plane_offset_ = terms.plane_offset;
-    relative_ = compounded(terms.factor);
+    relative_ = compounded(terms.factor) + terms.share;
     absolute_ = terms.absolute;
     inverse_depth_error_ = terms.inverse_depth_error;
     nearest_ = corners.nearest;
