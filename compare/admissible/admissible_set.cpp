@@ -276,6 +276,37 @@ bool AdmissibleSet<Number>::continues(LinePointer edge, const std::vector<size_t
     return std::ranges::any_of(occluders, [&](size_t o) { return !are_on_one_side(edge, o).value_or(true); });
 }
 
+/// Does an edge of the occluder pass the square that no other of them continues, and that does not move with
+/// what is seen? The occluder may part from its surroundings there.
+template <class Number>
+bool AdmissibleSet<Number>::may_part(size_t occluder, std::optional<size_t> seen,
+                                     const std::vector<size_t>& occluders) {
+    for (const Piece& piece : seen_pieces(occluder))
+        for (const LinePointer edge : drawn(occluder).edge) {
+            spend(1 + occluders.size() / 128);  // a comparison of ids costs a small part of a cut
+            if (!piece.region.touches(*edge) || continues(edge, occluders)) continue;
+            if (!seen || !are_on_one_side(edge, *seen).value_or(false)) return true;
+        }
+    return false;
+}
+
+/// The most occluders that no displacement parts within the square: what may part is left out, then what
+/// parts without it.
+template <class Number>
+template <class Occludes>
+std::vector<size_t> AdmissibleSet<Number>::watertight_sheet(std::optional<size_t> seen,
+                                                            const Occludes& occludes) {
+    std::vector<size_t> sheet, kept;
+    std::ranges::copy_if(front_to_back_, std::back_inserter(kept), occludes);
+    while (kept.size() != sheet.size()) {
+        sheet.swap(kept);
+        kept.clear();
+        std::ranges::copy_if(sheet, std::back_inserter(kept),
+                             [&](size_t o) { return !may_part(o, seen, sheet); });
+    }
+    return sheet;
+}
+
 template <class Number>
 auto AdmissibleSet<Number>::moved_inwards(LinePointer edge) -> LinePointer {
     Affine<Number> moved = edge->f;
@@ -305,16 +336,15 @@ void AdmissibleSet<Number>::push_planes(HalfPlanes<Number>& half_planes, size_t 
             half_planes.push_back(*line);
 }
 
-/// The part of the image that an occluder covers for certain; edges that do not stay are moved inwards. An
+/// The part of the image that an occluder covers for certain; edges that do not stay move inwards by eps. An
 /// edge that it shares with what is seen, both on one side of it, moves with that and bounds nothing.
 template <class Number>
-template <class Stays>
 HalfPlanes<Number> AdmissibleSet<Number>::cover(size_t occluder, std::optional<size_t> seen,
-                                                const Stays& stays) {
+                                                EdgeStays stays) {
     HalfPlanes<Number> half_planes;
     for (const LinePointer edge : drawn(occluder).edge) {
         if (seen && are_on_one_side(edge, *seen).value_or(false)) continue;
-        half_planes.push_back(stays(edge) ? edge : moved_inwards(edge));
+        half_planes.push_back(stays == EdgeStays::yes ? edge : moved_inwards(edge));
     }
     push_planes(half_planes, occluder);
     return half_planes;
@@ -354,15 +384,14 @@ bool AdmissibleSet<Number>::are_coplanar(size_t a, size_t b) {
 /// Some that cover the square, nearest first: most are covered by the first. Nothing where all leave some of
 /// it bare.
 template <class Number>
-template <class Occludes, class Stays>
+template <class Occludes>
 std::optional<std::vector<size_t>> AdmissibleSet<Number>::covered_by(std::optional<size_t> seen,
-                                                                     const Occludes& occludes,
-                                                                     const Stays& stays) {
+                                                                     const Occludes& occludes) {
     std::vector<Region<Number>> left{square()};
     std::vector<size_t> occluders;
     for (const size_t o : front_to_back_) {
         if (!occludes(o) || (seen && stands_apart(o, *seen))) continue;
-        left = left_of(left, cover(o, seen, stays));
+        left = left_of(left, cover(o, seen, EdgeStays::yes));
         occluders.push_back(o);
         if (left.empty()) return occluders;
     }
@@ -376,7 +405,7 @@ bool AdmissibleSet<Number>::leaves_bare(std::optional<size_t> seen, const Occlud
     if (!takes_nothing_for_granted<Number> && covering_ && covering_->seen == seen &&
         std::ranges::all_of(covering_->occluders, occludes))
         return false;
-    auto covering = covered_by(seen, occludes, [](LinePointer) { return true; });
+    auto covering = covered_by(seen, occludes);
     if (!covering) return true;
     covering_ = {seen, std::move(*covering)};
     return false;
@@ -385,7 +414,7 @@ bool AdmissibleSet<Number>::leaves_bare(std::optional<size_t> seen, const Occlud
 /// Does the occluder hold the square's centre, with all edges moved inwards?
 template <class Number>
 bool AdmissibleSet<Number>::holds_centre(size_t occluder, std::optional<size_t> seen) {
-    const HalfPlanes<Number> half_planes = cover(occluder, seen, [](LinePointer) { return false; });
+    const HalfPlanes<Number> half_planes = cover(occluder, seen, EdgeStays::no);
     spend(half_planes.size());
     return std::ranges::all_of(half_planes, [](LinePointer line) { return sign(line->f.c) >= 0; });
 }
@@ -399,11 +428,9 @@ bool AdmissibleSet<Number>::leaves_bare_by(EdgeRule rule, std::optional<size_t> 
         return std::ranges::none_of(front_to_back_, [&](size_t o) {
             return occludes(o) && !(seen && stands_apart(o, *seen)) && holds_centre(o, seen);
         });
-    // covered with every edge moved inwards: then all the more where some of them stay
-    if (covered_by(seen, occludes, [](LinePointer) { return false; })) return false;
-    std::vector<size_t> occluders;
-    std::ranges::copy_if(front_to_back_, std::back_inserter(occluders), occludes);
-    return !covered_by(seen, occludes, [&](LinePointer edge) { return continues(edge, occluders); });
+    std::vector<bool> is_in_sheet(around_.neighbours.size());
+    for (const size_t o : watertight_sheet(seen, occludes)) is_in_sheet[o] = true;
+    return leaves_bare(seen, [&](size_t o) { return is_in_sheet[o]; });
 }
 
 template <class Number>

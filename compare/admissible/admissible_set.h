@@ -16,7 +16,7 @@ enum class DepthRule {
 };
 enum class EdgeRule {
     watertight,  ///< occluders move together: only the outline of their union moves
-    separate,    ///< every occluder's edges that no other occluder continues are moved inwards by eps
+    separate,    ///< occluders part along edges that no other continues: only a sheet without them covers
     apart,       ///< every occluder moves by itself: none holds the centre with all its edges inwards by eps
 };
 struct Rules {
@@ -108,6 +108,9 @@ class AdmissibleSet {
     LinePointer edge_of(size_t index, int edge_id);
     std::optional<bool> are_on_one_side(LinePointer edge, size_t other);
     bool continues(LinePointer edge, const std::vector<size_t>& occluders);
+    bool may_part(size_t occluder, std::optional<size_t> seen, const std::vector<size_t>& occluders);
+    template <class Occludes>
+    std::vector<size_t> watertight_sheet(std::optional<size_t> seen, const Occludes& occludes);
     LinePointer moved_inwards(LinePointer edge);
     bool stands_apart(size_t occluder, size_t seen);
     bool meet_at_the_centre(size_t occluder, size_t seen);
@@ -117,11 +120,10 @@ class AdmissibleSet {
     void push_planes(HalfPlanes<Number>& half_planes, size_t occluder);
     LinePointer nearer_side(size_t occluder, const Piece& seen);
     std::optional<HalfPlanes<Number>> true_cover(size_t occluder, const Piece& seen);
-    template <class Stays>
-    HalfPlanes<Number> cover(size_t occluder, std::optional<size_t> seen, const Stays& stays);
-    template <class Occludes, class Stays>
-    std::optional<std::vector<size_t>> covered_by(std::optional<size_t> seen, const Occludes& occludes,
-                                                  const Stays& stays);
+    enum class EdgeStays { yes, no };
+    HalfPlanes<Number> cover(size_t occluder, std::optional<size_t> seen, EdgeStays stays);
+    template <class Occludes>
+    std::optional<std::vector<size_t>> covered_by(std::optional<size_t> seen, const Occludes& occludes);
     bool holds_centre(size_t occluder, std::optional<size_t> seen);
     template <class Occludes>
     bool leaves_bare(std::optional<size_t> seen, const Occludes& occludes);

@@ -74,6 +74,11 @@ class Region {
         return reaches;
     }
 
+    /// Does it reach the line?
+    bool touches(const Line<Number>& line) const {
+        return std::ranges::any_of(corners_, [&](const Corner& c) { return sign_at(c, line) == 0; });
+    }
+
     /// The mean of the corners.
     std::array<Number, 2> middle() const {
         std::array<Number, 2> sum{Number(0), Number(0)};

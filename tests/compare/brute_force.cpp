@@ -143,28 +143,47 @@ std::vector<std::size_t> Picture::in_front_of(std::size_t seen, DepthRule rule) 
     return found;
 }
 
-Set Picture::cover(std::size_t occluder, const std::vector<std::size_t>& occluders, EdgeRule rule,
-                   std::optional<std::size_t> seen) const {
+Set Picture::cover(std::size_t occluder, std::optional<std::size_t> seen) const {
     Set set = clip_planes(occluder, triangles_[occluder].inverse_depth, Plane::as_near_as_it_may_be);
-    for (std::size_t e = 0; e < 3; ++e) {
-        if (seen && side_of(occluder, e, *seen) == 1) continue;
-        Functional edge = triangles_[occluder].edge[e];
-        bool goes_on = false;
-        for (const std::size_t o : occluders) goes_on = goes_on || side_of(occluder, e, o) == -1;
-        if (rule == EdgeRule::separate && !goes_on)
-            edge.c -= Rational(around_.eps_px) * Rational(abs(edge.a) + abs(edge.b));
-        set.push_back(edge);
-    }
+    for (std::size_t e = 0; e < 3; ++e)
+        if (!seen || side_of(occluder, e, *seen) != 1) set.push_back(triangles_[occluder].edge[e]);
     return set;
+}
+
+/// Has it an edge in the square that none of them goes on beyond?
+bool Picture::may_part(std::size_t occluder, const std::vector<std::size_t>& occluders,
+                       std::optional<std::size_t> seen) const {
+    for (std::size_t e = 0; e < 3; ++e) {
+        bool goes_on = seen && side_of(occluder, e, *seen) == 1;
+        for (const std::size_t o : occluders) goes_on = goes_on || side_of(occluder, e, o) == -1;
+        const Functional& edge = triangles_[occluder].edge[e];
+        Set on_edge = outline(occluder);
+        on_edge.push_back({-edge.a, -edge.b, -edge.c});
+        if (!goes_on && !is_empty(on_edge)) return true;
+    }
+    return false;
+}
+
+/// One at a time is left out, until none may part.
+std::vector<std::size_t> Picture::sheet_of(std::vector<std::size_t> occluders,
+                                           std::optional<std::size_t> seen) const {
+    for (std::size_t i = 0; i < occluders.size();)
+        if (may_part(occluders[i], occluders, seen)) {
+            occluders.erase(occluders.begin() + std::ptrdiff_t(i));
+            i = 0;
+        } else {
+            ++i;
+        }
+    return occluders;
 }
 
 bool Picture::leaves_bare(const std::vector<std::size_t>& occluders, EdgeRule rule,
                           std::optional<std::size_t> seen) const {
     std::vector<Set> sets;
-    for (const std::size_t o : occluders) {
+    for (const std::size_t o : rule == EdgeRule::separate ? sheet_of(occluders, seen) : occluders) {
         bool apart = false;
         for (std::size_t e = 0; seen && e < 3; ++e) apart = apart || side_of(o, e, *seen) == -1;
-        if (!apart) sets.push_back(cover(o, occluders, rule, seen));
+        if (!apart) sets.push_back(cover(o, seen));
     }
     return !is_covered(square(), sets);
 }

@@ -58,8 +58,11 @@ class Picture {
     std::optional<int> side_of(std::size_t index, std::size_t edge, std::size_t other) const;
     bool is_in_front(std::size_t occluder, std::size_t seen, DepthRule rule) const;
     std::vector<std::size_t> in_front_of(std::size_t seen, DepthRule rule) const;
-    Set cover(std::size_t occluder, const std::vector<std::size_t>& occluders, EdgeRule rule,
-              std::optional<std::size_t> seen) const;
+    Set cover(std::size_t occluder, std::optional<std::size_t> seen) const;
+    bool may_part(std::size_t occluder, const std::vector<std::size_t>& occluders,
+                  std::optional<std::size_t> seen) const;
+    std::vector<std::size_t> sheet_of(std::vector<std::size_t> occluders,
+                                      std::optional<std::size_t> seen) const;
     bool leaves_bare(const std::vector<std::size_t>& occluders, EdgeRule rule,
                      std::optional<std::size_t> seen) const;
 
