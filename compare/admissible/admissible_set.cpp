@@ -7,6 +7,7 @@
 #include <numeric>
 #include <type_traits>
 
+#include "compare/admissible/cut_polygon.h"
 #include "math/interval.h"
 #include "math/lazy_rational.h"
 
@@ -416,7 +417,19 @@ template <class Number>
 bool AdmissibleSet<Number>::holds_centre(size_t occluder, std::optional<size_t> seen) {
     const HalfPlanes<Number> half_planes = cover(occluder, seen, EdgeStays::no);
     spend(half_planes.size());
-    return std::ranges::all_of(half_planes, [](LinePointer line) { return sign(line->f.c) >= 0; });
+    return std::ranges::all_of(half_planes, [](LinePointer line) { return sign(line->f.c) >= 0; }) &&
+           !is_cut_at_the_centre(occluder);
+}
+
+/// May the renderer cut the occluder into triangles that share an edge within eps of the square's centre?
+template <class Number>
+bool AdmissibleSet<Number>::is_cut_at_the_centre(size_t occluder) {
+    const Neighbour& n = around_.neighbours[occluder];
+    if (!around_.cuts_triangles || !may_be_clipped(around_.view.camera, n)) return false;
+    const auto left = left_by_near_and_far(around_.view.camera, corners<Number>(n.p_world));
+    return std::ranges::any_of(diagonals_of(ray_, left), [&](const Affine<Number>& f) {
+        return sign(Number(half_side_px_) * (magnitude(f.a) + magnitude(f.b)) - magnitude(f.c)) >= 0;
+    });
 }
 
 template <class Number>

@@ -125,6 +125,7 @@ class AdmissibleSet {
     template <class Occludes>
     std::optional<std::vector<size_t>> covered_by(std::optional<size_t> seen, const Occludes& occludes);
     bool holds_centre(size_t occluder, std::optional<size_t> seen);
+    bool is_cut_at_the_centre(size_t occluder);
     template <class Occludes>
     bool leaves_bare(std::optional<size_t> seen, const Occludes& occludes);
     template <class Occludes>

@@ -65,6 +65,11 @@ bool ViewBounds::is_watertight() const {
     return std::visit([](const auto& kind) { return kind.is_watertight(); }, of_kind_);
 }
 
+bool ViewBounds::cuts_triangles() const {
+    const auto* raster = std::get_if<RasterBounds>(&of_kind_);
+    return raster ? !raster->is_homogeneous() : std::holds_alternative<BoundedBounds>(of_kind_);
+}
+
 bool ViewBounds::clips_at_sides() const {
     const auto* raster = std::get_if<RasterBounds>(&of_kind_);
     return raster && raster->clips_at_sides();

@@ -36,6 +36,8 @@ class ViewBounds {
     bool keeps_to_corners() const;
     /// Do triangles that share an edge move it alike?
     bool is_watertight() const;
+    /// Does it make several triangles of one that near or far clips? A ray caster clips none.
+    bool cuts_triangles() const;
     /// Does clipping put new edges on the image's sides?
     bool clips_at_sides() const;
     Projection projection() const { return facts_.view.camera.projection; }

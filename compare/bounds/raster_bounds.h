@@ -19,6 +19,7 @@ class RasterBounds {
     /// The terms of every triangle's depth, where nothing of them depends on the triangle but its size.
     const std::optional<RasterTerms>& common_terms() const { return common_terms_; }
     bool keeps_to_corners() const;
+    bool is_homogeneous() const;
     bool is_watertight() const { return precision_.watertight; }
     bool clips_at_sides() const { return precision_.clipping == Clipping::view_volume && !is_homogeneous(); }
     double background_eps_px() const { return background_eps_px_; }
@@ -52,7 +53,6 @@ class RasterBounds {
     /// Adds what edge functions and depth err by where nothing is divided before. `transform` as above.
     void add_homogeneous(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
                          double transform) const;
-    bool is_homogeneous() const;
     bool has_plain_coverage() const;
     bool has_plain_depth() const;
 

@@ -34,8 +34,9 @@ struct TriangleBounds {
     /// |d/dy|) per pixel.
     LocalBounds at(double inverse_depth, double gradient) const;
     DepthTerms depth_terms() const {
-        return {depth_eps_base_px,   depth_eps_per_inverse_depth, depth_factor, depth_absolute,
-                inverse_depth_error, plane_offset,                depth_share};
+        return {depth_eps_base_px, depth_eps_per_inverse_depth, depth_factor,
+                depth_absolute,    inverse_depth_error,         plane_offset,
+                depth_share};
     }
 };
 

@@ -38,15 +38,19 @@ Affine<Number> parallel_edge(const ViewRay<Number>& ray, const Vector3<Number>& 
     return {-dot(side, ray.step_x), -dot(side, ray.step_y), dot(cross(r1, r2), ray.direction)};
 }
 
-/// The edges between corners relative to the view ray's origin, before they are oriented: edge i is opposite
-/// corner i.
+/// The line through two points relative to the view ray's origin.
+template <class Number>
+Affine<Number> edge_between(const ViewRay<Number>& ray, const Vector3<Number>& v1,
+                            const Vector3<Number>& v2) {
+    if (ray.projection == Projection::parallel) return parallel_edge(ray, v1, v2);
+    return perspective_functional(ray, cross(v1, v2));
+}
+
+/// The edges between corners, before they are oriented: edge i is opposite corner i.
 template <class Number>
 std::array<Affine<Number>, 3> edges_between(const ViewRay<Number>& ray, const Vector3<Number>& v0,
                                             const Vector3<Number>& v1, const Vector3<Number>& v2) {
-    if (ray.projection == Projection::parallel)
-        return {parallel_edge(ray, v1, v2), parallel_edge(ray, v2, v0), parallel_edge(ray, v0, v1)};
-    return {perspective_functional(ray, cross(v1, v2)), perspective_functional(ray, cross(v2, v0)),
-            perspective_functional(ray, cross(v0, v1))};
+    return {edge_between(ray, v1, v2), edge_between(ray, v2, v0), edge_between(ray, v0, v1)};
 }
 
 template <class Number>
