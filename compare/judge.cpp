@@ -26,10 +26,10 @@ struct Tally {
     /// Counts a pixel that the first tier did not.
     void count(const PixelCheck& pixel) {
         reference_defects += is_reference_wrong(pixel);
-        if (pixel.ids_differ())
+        const bool was_decided = pixel.candidate_decision.decision.eps_px > 0;
+        if (pixel.ids_differ() || was_decided)
             count_decisions(pixel.candidate_decision, pixel.reference_decision);
-        else
-            count_depths(pixel);
+        if (!pixel.ids_differ()) count_depths(pixel);
     }
 
   private:
@@ -76,7 +76,7 @@ std::vector<UndecidedPixel> agreeing_with_wrong_attribute(const FramePair& frame
     tbb::parallel_for(0, frames.view.height, [&](int y) {
         for (int x = 0; x < frames.view.width; ++x)
             if (classes.at(x, y) == PixelClass::agree && check.first_wrong({x, y}))
-                found.local().push_back({{x, y}});
+                found.local().push_back({.place = {x, y}, .is_id_undecided = false});
     });
     std::vector<UndecidedPixel> all;
     for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());

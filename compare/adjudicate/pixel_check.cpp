@@ -41,8 +41,8 @@ AnswerCheck check_answer(const FramePair& frames, const BoundedFrame& frame, con
 /// Checks both answers but does not put them to the admissible set.
 PixelCheck answers_at(const FramePair& frames, const UndecidedPixel& pixel) {
     const auto check = [&](const BoundedFrame& frame) {
-        return pixel.differs_in_id_alone ? AnswerCheck{.answer = answer_at(frame.frame, pixel.place)}
-                                         : check_answer(frames, frame, pixel.place);
+        return pixel.are_depths_admissible ? AnswerCheck{.answer = answer_at(frame.frame, pixel.place)}
+                                           : check_answer(frames, frame, pixel.place);
     };
     return {check(frames.candidate), check(frames.reference)};
 }
@@ -75,11 +75,12 @@ void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixel
     const auto check_pixel = [&](TileWork& work, std::size_t i, double searched_px) {
         const PixelCoord& place = pixels[i].place;
         PixelCheck pixel = answers_at(frames, pixels[i]);
-        if (pixel.ids_differ()) {
-            const double needed_px = std::max(
-                decide(work, frames.candidate, pixel.candidate, place, searched_px, pixel.candidate_decision),
-                decide(work, frames.reference, pixel.reference, place, searched_px,
-                       pixel.reference_decision));
+        if (pixels[i].is_id_undecided) {
+            double needed_px =
+                decide(work, frames.candidate, pixel.candidate, place, searched_px, pixel.candidate_decision);
+            if (pixel.ids_differ())
+                needed_px = std::max(needed_px, decide(work, frames.reference, pixel.reference, place,
+                                                       searched_px, pixel.reference_decision));
             if (needed_px > 0) return needed_px;
         }
         pixel.wrong_attribute = attributes.first_wrong(place);

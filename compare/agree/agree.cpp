@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "compare/agree/bound_table.h"
+#include "compare/agree/coarse_tiles.h"
 #include "compare/agree/depth_errors.h"
 #include "compare/agree/row_counts.h"
 
@@ -57,8 +58,12 @@ struct FrameRow {
 /// One thread's look at both frames, block by block.
 class BlockScan {
   public:
-    BlockScan(const FramePair& frames, ErrorMaps* errors)
-        : frames_(frames), triangle_count_(frames.scene.triangles.size()), table_(frames), errors_(errors) {}
+    BlockScan(const FramePair& frames, const CoarseTiles& coarse, ErrorMaps* errors)
+        : frames_(frames),
+          triangle_count_(frames.scene.triangles.size()),
+          coarse_(coarse),
+          table_(frames),
+          errors_(errors) {}
 
     void scan(int left, int top, std::vector<UndecidedPixel>& undecided) {
         const int right = std::min(left + block_width, frames_.view.width),
@@ -119,11 +124,12 @@ class BlockScan {
     }
 
     void scan(const PixelRow& row, const RowRuns& runs, std::vector<UndecidedPixel>& undecided) {
-        if (!errors_ && is_bare(row, runs)) return;
+        if (!errors_ && !coarse_.has_any() && is_bare(row, runs)) return;
         const FrameRow candidate{frames_.candidate.frame, runs.candidate(), &BoundTable::Depths::candidate},
             reference{frames_.reference.frame, runs.reference(), &BoundTable::Depths::reference};
         look_at(row, candidate, row_.candidate, row_.candidate_error);
         look_at(row, reference, row_.reference, row_.reference_error);
+        strike_unproven(row, runs.reference());
         if (counts_.add(row_)) list_undecided(row, undecided);
         if (!errors_) return;
         write_errors(row, candidate, row_.candidate_error, errors_->candidate);
@@ -132,9 +138,29 @@ class BlockScan {
 
     void list_undecided(const PixelRow& row, std::vector<UndecidedPixel>& undecided) const {
         for (std::size_t i = 0; i < row.count(); ++i) {
-            const bool are_decided = row_.candidate_error[i] >= 0 && row_.reference_error[i] >= 0;
-            if (!are_decided || row_.candidate[i] != row_.reference[i])
-                undecided.push_back({{row.left + int(i), row.y}, are_decided});
+            const double reference = row_.reference_error[i];
+            const bool are_decided = row_.candidate_error[i] >= 0 && reference >= 0;
+            const bool is_id_undecided =
+                row_.candidate[i] != row_.reference[i] || reference == proves_nothing;
+            if (!are_decided || is_id_undecided)
+                undecided.push_back({{row.left + int(i), row.y}, are_decided, is_id_undecided});
+        }
+    }
+
+    /// Of pixels that show the same triangle in both, strikes out what the reference does not prove: it may
+    /// displace triangles farther there than the candidate may, or its depth is none that the candidate may
+    /// give. The reference must have been looked at last.
+    void strike_unproven(const PixelRow& row, const std::vector<Run>& runs) {
+        for (const auto& [first, end, place] : runs) {
+            if (place)
+                find_depth_errors(table_[*place].candidate, row.left + int(first), row.y, end - first,
+                                  &depths_[first], &errors_found_[first]);
+            for (std::size_t i = first; i < end; ++i) {
+                const bool is_coarse = coarse_.has_any() && coarse_.hold(row.left + int(i), row.y),
+                           is_depth_another = place && errors_found_[i] < 0;
+                if (row_.candidate[i] == row_.reference[i] && (is_coarse || is_depth_another))
+                    row_.reference_error[i] = proves_nothing;
+            }
         }
     }
 
@@ -146,7 +172,7 @@ class BlockScan {
             for (std::size_t i = first; i < end; ++i) {
                 const int x = row.left + int(i);
                 double error = std::numeric_limits<double>::quiet_NaN();
-                if (place && errors[i] != undecided_error)
+                if (place && errors[i] >= 0)
                     error = errors[i];
                 else if (place)
                     error = error_over_bound((table_[*place].*of.depth).at(x, row.y), depths[i]);
@@ -156,6 +182,7 @@ class BlockScan {
 
     const FramePair& frames_;
     std::size_t triangle_count_;
+    const CoarseTiles& coarse_;
     BoundTable table_;
     ErrorMaps* errors_;
     std::array<RowRuns, block_height> runs_;  ///< of the block at hand
@@ -170,7 +197,8 @@ class BlockScan {
 
 Agreement find_agreement(const FramePair& frames, ErrorMaps* errors) {
     const int bands = (frames.view.height + block_height - 1) / block_height;
-    tbb::enumerable_thread_specific<BlockScan> scans([&] { return BlockScan(frames, errors); });
+    const CoarseTiles coarse(frames);
+    tbb::enumerable_thread_specific<BlockScan> scans([&] { return BlockScan(frames, coarse, errors); });
     std::vector<std::vector<UndecidedPixel>> of_band;
     of_band.resize(std::size_t(bands));
     tbb::parallel_for(0, bands, [&](int band) {

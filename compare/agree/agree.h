@@ -12,8 +12,10 @@ namespace zproof {
 
 struct UndecidedPixel {
     PixelCoord place;
-    /// Do ids differ, and is either answer a triangle whose depth is admissible for certain, or background?
-    bool differs_in_id_alone = false;
+    /// Is either answer a triangle whose depth is admissible for certain, or background?
+    bool are_depths_admissible = false;
+    /// Is the candidate's id undecided: do ids differ, or does the reference's prove nothing (docs/truth.md)?
+    bool is_id_undecided = true;
 };
 
 struct Agreement {

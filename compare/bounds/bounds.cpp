@@ -75,6 +75,11 @@ bool ViewBounds::clips_at_sides() const {
     return raster && raster->clips_at_sides();
 }
 
+double ViewBounds::least_eps_px() const {
+    const auto* raster = std::get_if<RasterBounds>(&of_kind_);
+    return raster ? raster->snap_px() : background_eps_px();
+}
+
 double ViewBounds::background_eps_px() const {
     return std::visit([](const auto& kind) { return kind.background_eps_px(); }, of_kind_);
 }

@@ -57,6 +57,8 @@ class ViewBounds {
     }
     /// The share that every triangle has in common; above 0.
     double background_eps_px() const;
+    /// No triangle's eps is less; may be 0.
+    double least_eps_px() const;
 
   private:
     using OfKind = std::variant<RasterBounds, RayBounds, PlaneRayBounds, BoundedBounds>;

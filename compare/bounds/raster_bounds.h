@@ -23,6 +23,7 @@ class RasterBounds {
     bool is_watertight() const { return precision_.watertight; }
     bool clips_at_sides() const { return precision_.clipping == Clipping::view_volume && !is_homogeneous(); }
     double background_eps_px() const { return background_eps_px_; }
+    double snap_px() const { return snap_px_; }
 
   private:
     int counted_cuts(const ViewFacts& facts, const TriangleExtent& extent) const;

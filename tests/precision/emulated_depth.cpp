@@ -18,10 +18,11 @@ float weighted_mean(const Weights& weights, const std::array<float, 3>& values) 
                  T(weights[2]) * T(values[2]));
 }
 
-/// How many steps a fixed-point buffer has; 0 for float32.
+/// How many steps a fixed-point buffer has; 0 for floats.
 double steps_of(DepthFormat format) {
     switch (format) {
         case DepthFormat::float32:
+        case DepthFormat::float64:
             return 0;
         case DepthFormat::unorm16:
             return 0xFFFF;
