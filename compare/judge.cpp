@@ -23,13 +23,13 @@ struct Tally {
     std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
     std::vector<Finding> findings;
 
-    /// Counts a pixel that the first tier did not.
-    void count(const PixelCheck& pixel) {
+    /// Counts what the first tier did not.
+    void count(const PixelCheck& pixel, const UndecidedPixel& undecided) {
         reference_defects += is_reference_wrong(pixel);
         const bool was_decided = pixel.candidate_decision.decision.eps_px > 0;
         if (pixel.ids_differ() || was_decided)
             count_decisions(pixel.candidate_decision, pixel.reference_decision);
-        if (!pixel.ids_differ()) count_depths(pixel);
+        if (!pixel.ids_differ() && !undecided.are_depths_admissible) count_depths(pixel);
     }
 
   private:
@@ -108,7 +108,7 @@ Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candida
     };
     check_pixels(frames, agreement.undecided, [&](std::size_t i, const PixelCheck& pixel) {
         record(pixel, agreement.undecided[i].place);
-        tallies.local().count(pixel);
+        tallies.local().count(pixel, agreement.undecided[i]);
     });
     const std::vector<UndecidedPixel> wrong = agreeing_with_wrong_attribute(frames, verdict.classes);
     check_pixels(frames, wrong,

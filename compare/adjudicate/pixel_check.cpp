@@ -48,10 +48,9 @@ PixelCheck answers_at(const FramePair& frames, const UndecidedPixel& pixel) {
 }
 
 /// Decides an answer, if it is one; the reach that this needs, or 0.
-double decide(TileWork& work, const BoundedFrame& frame, const AnswerCheck& check, const PixelCoord& place,
-              double searched_px, QueryResult& decision) {
-    if (check.is_invalid) return 0;
-    return work.decide({&frame.bounds, check.answer.primitive, place.x, place.y}, searched_px, decision);
+double decide(TileWork& work, const PixelQuery& query, const AnswerCheck& check, double searched_px,
+              QueryResult& decision) {
+    return check.is_invalid ? 0 : work.decide(query, searched_px, decision);
 }
 
 }  // namespace
@@ -76,11 +75,16 @@ void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixel
         const PixelCoord& place = pixels[i].place;
         PixelCheck pixel = answers_at(frames, pixels[i]);
         if (pixels[i].is_id_undecided) {
-            double needed_px =
-                decide(work, frames.candidate, pixel.candidate, place, searched_px, pixel.candidate_decision);
+            const auto query_of = [&](const BoundedFrame& frame, const AnswerCheck& check) {
+                return PixelQuery{&frame.bounds, check.answer.primitive, place.x, place.y,
+                                  pixel.ids_differ() ? AskedReason::the_first : AskedReason::any};
+            };
+            double needed_px = decide(work, query_of(candidate, pixel.candidate), pixel.candidate,
+                                      searched_px, pixel.candidate_decision);
             if (pixel.ids_differ())
-                needed_px = std::max(needed_px, decide(work, frames.reference, pixel.reference, place,
-                                                       searched_px, pixel.reference_decision));
+                needed_px =
+                    std::max(needed_px, decide(work, query_of(frames.reference, pixel.reference),
+                                               pixel.reference, searched_px, pixel.reference_decision));
             if (needed_px > 0) return needed_px;
         }
         pixel.wrong_attribute = attributes.first_wrong(place);

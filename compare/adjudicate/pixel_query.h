@@ -13,6 +13,7 @@ struct PixelQuery {
     const ViewBounds* bounds = nullptr;  ///< the renderer's
     PrimitiveId answer = PrimitiveId::none;
     int x = 0, y = 0;
+    AskedReason reason = AskedReason::the_first;
 };
 
 /// What became of a query.

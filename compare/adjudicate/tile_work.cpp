@@ -8,10 +8,6 @@ namespace zproof {
 
 namespace {
 
-/// The first search radius, in own eps. Few squares grow beyond it, and a triangle that is found but meets no
-/// square changes nothing.
-constexpr double first_reach = 2;
-
 /// Pairs of a tile that are remembered.
 constexpr std::size_t coplanar_pairs = 256;
 
@@ -85,12 +81,11 @@ double TileWork::own_eps_px(const PixelQuery& query) const {
                : zproof::own_eps_px(setting_.scene, setting_.view, *query.bounds, pixel_, query.answer);
 }
 
-/// The largest eps, and own_eps_px at least, of what comes within own_eps_px of the centre and whose box is
-/// no farther from it than reach_px.
-double TileWork::eps_px_within(double reach_px, double own_eps_px) const {
+/// The largest eps, and own_eps_px at least, of what comes within own_eps_px of the centre.
+double TileWork::eps_px_within(double own_eps_px) const {
     double eps_px = own_eps_px;
     for (const auto& [place, distance_px, n] : seen_)
-        if (distance_px <= reach_px && n.image && comes_within(*n.image, own_eps_px))
+        if (distance_px <= own_eps_px && n.image && comes_within(*n.image, own_eps_px))
             eps_px = std::max(eps_px, n.bounds.eps_px);
     return eps_px;
 }
@@ -119,17 +114,17 @@ std::size_t TileWork::count_within(const PixelQuery& query, double reach_px) {
 }
 
 /// Decides by what was gathered.
-void TileWork::decide_around(PrimitiveId answer, QueryResult& adjudicated) {
+void TileWork::decide_around(const PixelQuery& query, QueryResult& adjudicated) {
     const std::size_t most_work = around_.most_work,
                       at_least = around_.neighbours.size() / neighbours_per_cut;
     around_.most_work = std::min(most_work, work_left_);
-    adjudicated = {zproof::decide(around_, answer, coplanar_), std::nullopt};
+    adjudicated = {zproof::decide(around_, query.answer, coplanar_, query.reason), std::nullopt};
     take(adjudicated.decision.work + at_least, work_left_);
-    if (setting_.asked != QueryDetail::displacement) return;
+    if (setting_.asked != QueryDetail::displacement || query.reason == AskedReason::any) return;
     if (adjudicated.decision.admissibility != Admissibility::visible) return;
     if (!take(at_least, displacement_work_left_)) return;
     around_.most_work = std::min(most_work, displacement_work_left_);
-    const LeastDisplacement found = displacement_of(around_, answer, coplanar_);
+    const LeastDisplacement found = displacement_of(around_, query.answer, coplanar_);
     adjudicated.displacement_over_eps = found.over_eps;
     take(found.work, displacement_work_left_);
 }
@@ -137,24 +132,22 @@ void TileWork::decide_around(PrimitiveId answer, QueryResult& adjudicated) {
 double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult& adjudicated) {
     if (!take(1 + triangles_.count() / looks_per_cut, work_left_) ||
         count_within(query, searched_px) > most_neighbours) {
-        adjudicated = {{Admissibility::undecidable, false, searched_px / first_reach}, std::nullopt};
+        adjudicated = {{Admissibility::undecidable, false, searched_px}, std::nullopt};
         return 0;
     }
     look_at(query, searched_px);
-    const double own_eps = own_eps_px(query), least_reach_px = first_reach * own_eps;
-    around_.eps_px = eps_px_within(least_reach_px, own_eps);
-    const double reach_px =
-        first_reach * around_.eps_px;  // edges are moved inwards by eps in a square of eps
-    if (reach_px > searched_px) return reach_px;
+    const double own_eps = own_eps_px(query);
+    around_.eps_px = eps_px_within(own_eps);
+    if (around_.eps_px > searched_px) return around_.eps_px;
     around_.is_watertight = query.bounds->is_watertight();
     around_.cuts_triangles = query.bounds->cuts_triangles();
-    gather(reach_px);
+    gather(around_.eps_px);
     if (query.bounds->clips_at_sides() && reaches_a_side())
         std::erase_if(around_.neighbours,
                       [&](const Neighbour& n) { return PrimitiveId(n.triangle) != query.answer; });
     around_.most_work = Neighbourhood{}.most_work;
     if (setting_.override) setting_.override(around_, query.answer);
-    decide_around(query.answer, adjudicated);
+    decide_around(query, adjudicated);
     return 0;
 }
 

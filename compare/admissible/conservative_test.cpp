@@ -38,18 +38,22 @@ ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answ
     : around_(around),
       coplanar_(coplanar),
       error_scale_(2 * std::max(1.0, around.eps_px)),
-      is_asked_(std::isfinite(around.eps_px)) {
+      is_known_(std::isfinite(around.eps_px)),
+      is_asked_(is_known_) {
     others_.reserve(around.neighbours.size());
     for (const Neighbour& n : around.neighbours) {
         const bool is_answer = PrimitiveId(n.triangle) == answer;
         if (!is_answer && misses(n, around.eps_px)) continue;
-        is_asked_ &= (n.is_trusted || !is_answer) && is_clear_of_planes(n);
+        const bool is_clear = (n.is_trusted || !is_answer) && is_clear_of_planes(n);
+        is_asked_ &= is_clear;
+        is_known_ &= is_clear || !is_answer;
         if (is_answer)
             answer_ = &n;
         else if (!n.may_be_missing)
             others_.push_back(&n);
     }
-    is_asked_ &= answer == PrimitiveId::none || answer_;
+    is_known_ &= answer == PrimitiveId::none || answer_;
+    is_asked_ &= is_known_;
 }
 
 /// Does the triangle miss the square for certain? Where the sign of its edges is not certain, edges of both
@@ -166,6 +170,8 @@ bool ConservativeTest::hides_in(const Neighbour& n, double half_side_px) const {
         ahead.c - reach(ahead, half_side_px) > inverse_depth_error(n) + inverse_depth_error(*answer_);
     return is_in_front || coplanar_(n.of_scene(), answer_->of_scene());
 }
+
+bool ConservativeTest::is_seen_at_centre() const { return is_known_ && is_seen_at({0, 0}); }
 
 auto ConservativeTest::finding() const -> Finding {
     if (!is_asked_) return Finding::undecided;

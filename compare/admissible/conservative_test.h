@@ -24,6 +24,8 @@ class ConservativeTest {
     enum class Finding { visible, tied, undecided };
     /// Visible, and no plane cuts anything in the square; or tied (admissibility.h).
     Finding finding() const;
+    /// Is it visible, or clipped, since nothing hides it at the centre?
+    bool is_seen_at_centre() const;
 
     enum class Visibility { yes, no, undecided };
     /// Is it seen in the square of that half-side, at most eps: what AdmissibleSet::is_seen() and, for
@@ -70,7 +72,8 @@ class ConservativeTest {
     double error_scale_;
     const Neighbour* answer_ = nullptr;     ///< none for background
     std::vector<const Neighbour*> others_;  ///< that do not miss the square for certain, without the answer's
-    bool is_asked_ = false;                 ///< is the answer's image certain, and cuts no plane anything?
+    bool is_known_ = false;                 ///< is the answer's image certain, and cuts no plane it?
+    bool is_asked_ = false;                 ///< the same, and cuts no plane anything?
 };
 
 }  // namespace zproof

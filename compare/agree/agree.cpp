@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "compare/agree/bound_table.h"
-#include "compare/agree/coarse_tiles.h"
 #include "compare/agree/depth_errors.h"
 #include "compare/agree/row_counts.h"
+#include "compare/agree/unproven_pixels.h"
 
 namespace zproof {
 
@@ -58,10 +58,10 @@ struct FrameRow {
 /// One thread's look at both frames, block by block.
 class BlockScan {
   public:
-    BlockScan(const FramePair& frames, const CoarseTiles& coarse, ErrorMaps* errors)
+    BlockScan(const FramePair& frames, const UnprovenPixels& unproven, ErrorMaps* errors)
         : frames_(frames),
           triangle_count_(frames.scene.triangles.size()),
-          coarse_(coarse),
+          unproven_(unproven),
           table_(frames),
           errors_(errors) {}
 
@@ -118,19 +118,20 @@ class BlockScan {
     bool is_bare(const PixelRow& row, const RowRuns& runs) const {
         const auto is_background = [](float depth) { return depth == background_depth; };
         return runs.are_same && runs.of_candidate.size() == 1 &&
+               std::ranges::count(row.of(unproven_.map()), 1) == 0 &&
                row.of(frames_.candidate.frame.primitive).front() == PrimitiveId::none &&
                std::ranges::all_of(row.of(frames_.candidate.frame.camera_depth), is_background) &&
                std::ranges::all_of(row.of(frames_.reference.frame.camera_depth), is_background);
     }
 
     void scan(const PixelRow& row, const RowRuns& runs, std::vector<UndecidedPixel>& undecided) {
-        if (!errors_ && !coarse_.has_any() && is_bare(row, runs)) return;
+        if (!errors_ && is_bare(row, runs)) return;
         const FrameRow candidate{frames_.candidate.frame, runs.candidate(), &BoundTable::Depths::candidate},
             reference{frames_.reference.frame, runs.reference(), &BoundTable::Depths::reference};
         look_at(row, candidate, row_.candidate, row_.candidate_error);
         look_at(row, reference, row_.reference, row_.reference_error);
-        strike_unproven(row, runs.reference());
-        if (counts_.add(row_)) list_undecided(row, undecided);
+        const bool is_any_unproven = find_unproven(row, runs.reference());
+        if (counts_.add(row_) || is_any_unproven) list_undecided(row, undecided);
         if (!errors_) return;
         write_errors(row, candidate, row_.candidate_error, errors_->candidate);
         write_errors(row, reference, row_.reference_error, errors_->reference);
@@ -138,30 +139,28 @@ class BlockScan {
 
     void list_undecided(const PixelRow& row, std::vector<UndecidedPixel>& undecided) const {
         for (std::size_t i = 0; i < row.count(); ++i) {
-            const double reference = row_.reference_error[i];
-            const bool are_decided = row_.candidate_error[i] >= 0 && reference >= 0;
-            const bool is_id_undecided =
-                row_.candidate[i] != row_.reference[i] || reference == proves_nothing;
+            const bool are_decided = row_.candidate_error[i] >= 0 && row_.reference_error[i] >= 0;
+            const bool is_id_undecided = row_.candidate[i] != row_.reference[i] || is_unproven_[i];
             if (!are_decided || is_id_undecided)
                 undecided.push_back({{row.left + int(i), row.y}, are_decided, is_id_undecided});
         }
     }
 
-    /// Of pixels that show the same triangle in both, strikes out what the reference does not prove: it may
-    /// displace triangles farther there than the candidate may, or its depth is none that the candidate may
-    /// give. The reference must have been looked at last.
-    void strike_unproven(const PixelRow& row, const std::vector<Run>& runs) {
+    /// Lists the pixels of a row that show the same in both, where the reference does not prove it: it may
+    /// displace a triangle farther there than the candidate may, or its depth is none that the candidate may
+    /// give. Is there any? The reference must have been looked at last.
+    bool find_unproven(const PixelRow& row, const std::vector<Run>& runs) {
+        bool is_any = false;
         for (const auto& [first, end, place] : runs) {
             if (place)
                 find_depth_errors(table_[*place].candidate, row.left + int(first), row.y, end - first,
                                   &depths_[first], &errors_found_[first]);
             for (std::size_t i = first; i < end; ++i) {
-                const bool is_coarse = coarse_.has_any() && coarse_.hold(row.left + int(i), row.y),
-                           is_depth_another = place && errors_found_[i] < 0;
-                if (row_.candidate[i] == row_.reference[i] && (is_coarse || is_depth_another))
-                    row_.reference_error[i] = proves_nothing;
+                is_unproven_[i] = (place && errors_found_[i] < 0) || unproven_.hold(row.left + int(i), row.y);
+                is_any |= is_unproven_[i];
             }
         }
+        return is_any;
     }
 
     /// What is undecided has an error as well.
@@ -182,11 +181,12 @@ class BlockScan {
 
     const FramePair& frames_;
     std::size_t triangle_count_;
-    const CoarseTiles& coarse_;
+    const UnprovenPixels& unproven_;
     BoundTable table_;
     ErrorMaps* errors_;
     std::array<RowRuns, block_height> runs_;  ///< of the block at hand
     ComparedRow row_;
+    RowOf<bool> is_unproven_{};
     /// The depths of one frame's row; runs are read and written beyond their ends, from left to right.
     std::array<float, row_pixels + errors_together> depths_{};
     std::array<double, row_pixels + errors_together> errors_found_{};
@@ -197,8 +197,8 @@ class BlockScan {
 
 Agreement find_agreement(const FramePair& frames, ErrorMaps* errors) {
     const int bands = (frames.view.height + block_height - 1) / block_height;
-    const CoarseTiles coarse(frames);
-    tbb::enumerable_thread_specific<BlockScan> scans([&] { return BlockScan(frames, coarse, errors); });
+    const UnprovenPixels unproven(frames);
+    tbb::enumerable_thread_specific<BlockScan> scans([&] { return BlockScan(frames, unproven, errors); });
     std::vector<std::vector<UndecidedPixel>> of_band;
     of_band.resize(std::size_t(bands));
     tbb::parallel_for(0, bands, [&](int band) {

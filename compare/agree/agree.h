@@ -19,7 +19,7 @@ struct UndecidedPixel {
 };
 
 struct Agreement {
-    BoundRecord candidate_depth, reference_depth;  ///< of the pixels that agree
+    BoundRecord candidate_depth, reference_depth;  ///< where ids are the same and depths admissible
     std::vector<UndecidedPixel> undecided;         ///< block by block
 };
 

@@ -9,9 +9,6 @@ namespace zproof {
 
 /// Says of a pixel that double precision does not hold its depth admissible for certain.
 inline constexpr double undecided_error = -1;
-/// Says of a reference's depth that it is one, but proves nothing about a candidate that shows the same
-/// triangle.
-inline constexpr double proves_nothing = -2;
 
 /// Errors are found for so many pixels at a time.
 inline constexpr std::size_t errors_together = 4;

@@ -30,6 +30,20 @@ glm::dvec3 edge_moment(const ViewFacts& facts, const TriangleExtent& extent, std
     return facts.perspective ? glm::cross(from, to) : glm::cross(direction, to - from);
 }
 
+/// What the rounded corners of Pluecker's test cost its edges, px: 2 u (|v_i| x |v_j|) . |d|, and the robust
+/// test's 2 u of the sum of all three.
+double pluecker_corners_px(const ViewFacts& facts, const TriangleExtent& extent, double unit) {
+    const auto& v = extent.v_world;
+    const double sum = glm::dot(abs_cross(v[1] - v[0], v[2] - v[0]), facts.direction_abs);
+    double largest = 0;
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+        const glm::dvec3 products = abs_cross(v[(edge + 1) % 3], v[(edge + 2) % 3]);
+        const double error = 2 * unit * (glm::dot(products, facts.direction_abs) + sum);
+        largest = std::max(largest, facts.distance_px(error, edge_moment(facts, extent, edge)));
+    }
+    return largest;
+}
+
 /// Cramer's rule with v0 as its origin: the weights of v1 and v2 are triple products, v0 has what they leave.
 double moeller_trumbore_px(const ViewFacts& facts, const TriangleExtent& extent, double unit) {
     const auto& v = extent.v_world;
@@ -86,6 +100,15 @@ TriangleBounds RayBounds::of(const ViewFacts& facts, const TriangleExtent& exten
     const double edges = edges_px(facts, extent);
     bounds.eps_base_px = aim + edges + (facts.perspective ? 0 : corners);
     bounds.eps_per_inverse_depth = facts.perspective ? corners : 0;
+    if (facts.perspective && precision_.test == RayTest::pluecker) {
+        // a corner far away moves an edge that passes the eye closely by little: the lesser of two bounds
+        const double nearest = std::max(std::ranges::min(extent.size.depth), facts.view.camera.near_depth),
+                     of_edges = pluecker_corners_px(facts, extent, unit_);
+        if (precision_.barycentric_tolerance == 0 && of_edges * nearest < corners) {
+            bounds.eps_base_px += of_edges;
+            bounds.eps_per_inverse_depth = 0;
+        }
+    }
     if (precision_.hit_point == HitPoint::barycentrics) add_hit_point(bounds, extent, edges);
     if (precision_.world_absolute > 0) add_world_error(bounds, facts);
     const auto slack = [&](double plane_depth) {

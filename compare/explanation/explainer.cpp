@@ -68,7 +68,11 @@ void require_inside(const View& view, const PixelCoord& place) {
 std::vector<PixelExplanation> Explainer::begin(std::span<const PixelCoord> places) const {
     for (const PixelCoord& place : places) require_inside(frames_.view, place);
     std::vector<UndecidedPixel> undecided;
-    for (const PixelCoord& place : places) undecided.push_back({place});
+    const std::vector<UndecidedPixel> of_first_tier = find_agreement(frames_, nullptr).undecided;
+    for (const PixelCoord& place : places) {
+        const auto found = std::ranges::find(of_first_tier, place, &UndecidedPixel::place);
+        undecided.push_back({place, false, found != of_first_tier.end() && found->is_id_undecided});
+    }
     std::vector<PixelExplanation> explanations(places.size());
     check_pixels(frames_, undecided, [&](std::size_t i, const PixelCheck& pixel) {
         explanations[i] = partial_explanation(frames_, pixel, places[i]);

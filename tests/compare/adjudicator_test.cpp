@@ -251,32 +251,6 @@ TEST(Adjudicator, LooksAgainWhereTheSquareOutgrowsTheSearch) {
     }
 }
 
-/// A wall's slanted edge passes beyond the square, but within twice its half-side: whether its neighbour
-/// continues it there decides between a hole and a crack, whoever else asks in the tile.
-TEST(Adjudicator, KnowsWhatContinuesAnEdgeJustBeyondTheSquare) {
-    const View view = pixel_view(Projection::perspective, 48, 48);
-    const ViewBounds bounds(view, RasterPrecision{.transform = Arithmetic::float32, .subpixel_bits = 8}),
-        coarse(view, with_subpixel_bits(-2));
-    const Triangle swaying{{{24.5, -64, 8}, {24.5, 96, 8}, {-1e6, 24, 8}}};
-    const PixelQuery query{&bounds, PrimitiveId::none, 24, 24}, other{&coarse, PrimitiveId::none, 23, 23};
-    const auto decided = [&](const Scene& scene, std::span<const PixelQuery> queries) {
-        return adjudicate(scene, view, queries, QueryDetail::admissibility)[0].decision;
-    };
-    const double eps_px = decided(scene_of(view, {swaying}), std::span(&query, 1)).eps_px;
-    ASSERT_GT(eps_px, 1.0 / 16);
-    ASSERT_LT(eps_px, 2);
-    const double beyond = 3 * eps_px, far = 64;  // x + y there; the square's corner is at 2 eps
-    const Corner up{24.5 + far, 24.5 - far - beyond, 4}, down{24.5 - far, 24.5 + far - beyond, 4};
-    const Triangle front{up, down, {24.5 + 4 * far, 24.5 + 4 * far, 4}},
-        next{down, up, {24.5 - far, 24.5 - far, 4}};
-    const Scene alone = scene_of(view, {swaying, front}), continued = scene_of(view, {swaying, front, next});
-    const PixelQuery both[] = {query, other};
-    EXPECT_EQ(decided(alone, std::span(&query, 1)).admissibility, Admissibility::through_a_crack);
-    EXPECT_EQ(decided(alone, both).admissibility, Admissibility::through_a_crack);
-    EXPECT_EQ(decided(continued, both).admissibility, Admissibility::hole);
-    EXPECT_EQ(decided(continued, std::span(&query, 1)).admissibility, Admissibility::hole);
-}
-
 TEST(RuleOverride, IsAppliedToEveryQueryBeforeItIsDecided) {
     const View view = pixel_view(Projection::parallel, 32, 32);
     const Scene scene = scene_of(view, {wall(4), wall(8)});

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "compare/agree/coarse_tiles.h"
 #include "compare/agree/depth_errors.h"
 #include "compare/agree/row_counts.h"
+#include "compare/agree/unproven_pixels.h"
 #include "random_surroundings.h"
 #include "test_scene.h"
 
@@ -79,7 +79,7 @@ void expect_same(const Agreement& found, const Agreement& expected) {
 /// Holds what the tier finds against every pixel by itself.
 void try_frames(const TestScene& t, Tried& tried) {
     const FramePair pair = pair_of(t);
-    const CoarseTiles coarse(pair);
+    const UnprovenPixels unproven(pair);
     const Resolution size{t.view.width, t.view.height};
     ErrorMaps maps{Plane<float>(size, 77), Plane<float>(size, 77)}, expected_maps = maps;
     Agreement expected;
@@ -91,17 +91,18 @@ void try_frames(const TestScene& t, Tried& tried) {
             const bool ids_differ = t.candidate.primitive.at(x, y) != t.reference.primitive.at(x, y),
                        is_background = t.reference.primitive.at(x, y) == PrimitiveId::none;
             const bool is_proof =
-                !coarse.hold(x, y) &&
+                !unproven.hold(x, y) &&
                 (is_background || alone(pair, reference.frame, candidate.bounds, x, y).error >= 0);
             expected_maps.candidate.at(x, y) = a.in_map;
             expected_maps.reference.at(x, y) = b.in_map;
             const bool is_known = std::size_t(t.reference.primitive.at(x, y)) < t.scene.triangles.size();
-            const bool is_undecided = ids_differ || (!is_proof && (is_known || coarse.hold(x, y))),
-                       are_certain = a.error >= 0 && b.error >= 0 && (ids_differ || is_proof);
+            const bool is_undecided = ids_differ || (!is_proof && (is_known || unproven.hold(x, y))),
+                       are_certain = a.error >= 0 && b.error >= 0;
             if (!are_certain || is_undecided) {
                 expected.undecided.push_back({{x, y}, are_certain, is_undecided});
                 ++tried.undecided, tried.in_id_alone += are_certain;
-            } else if (t.candidate.primitive.at(x, y) != PrimitiveId::none) {
+            }
+            if (are_certain && !ids_differ && !is_background) {
                 count(expected.candidate_depth, a.error);
                 count(expected.reference_depth, b.error);
                 ++tried.agreed;
@@ -187,12 +188,12 @@ TEST(Agree, ForgetsTheTrianglesOfTheBlockBefore) {
     constexpr int width = 256, height = 16;
     TestScene t(Projection::parallel, width, height, std::vector<Triangle>(64, wall(4)));
     for (std::size_t i = 0; i < t.scene.vertices.position_world.size(); ++i)
-        t.scene.vertices.position_world[i].z = -float(1 + int(i) / 3);  // wall i at depth i + 1
+        t.scene.vertices.position_world[i].z = -(1 + float(i / 3) / 4);  // wall i at depth 1 + i / 4
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const auto shown = std::uint32_t(x / 4);
-            answer(t.candidate, x, y, shown, 1 + shown);
-            answer(t.reference, x, y, shown, 1 + shown);
+            answer(t.candidate, x, y, shown, 1 + shown / 4.0);
+            answer(t.reference, x, y, shown, 1 + shown / 4.0);
         }
     const Agreement found = find_agreement(pair_of(t), nullptr);
     EXPECT_TRUE(found.undecided.empty());

@@ -9,6 +9,7 @@
 
 #include "compare/admissible/admissibility.h"
 #include "compare/admissible/depth_rule.h"
+#include "compare/agree/agree.h"
 #include "compare/agree/row_counts.h"
 #include "compare/judge.h"
 #include "random_surroundings.h"
@@ -120,18 +121,25 @@ TEST(Judge, SaysOfEveryPixelWhatTheRulesSayOfItByItself) {
         const Shown s(seed);
         const ViewBounds ours(s.view, s.ours), theirs(s.view, s.theirs);
         const Verdict verdict = s.verdict({});
+        const std::vector<UndecidedPixel> undecided =
+            find_agreement(
+                {s.scene, s.view, {s.view, {s.candidate, s.ours}}, {s.view, {s.reference, s.theirs}}},
+                nullptr)
+                .undecided;
         BoundRecord candidate, reference;
         std::uint64_t adjudicated = 0, reference_defects = 0;
         for (int y = 0; y < s.view.height; ++y)
             for (int x = 0; x < s.view.width; ++x) {
                 const PrimitiveId shown = s.candidate.primitive.at(x, y);
                 const bool differs = shown != s.reference.primitive.at(x, y);
-                const Alone a = alone(s, s.candidate, ours, {x, y}, differs),
+                const auto listed = std::ranges::find(undecided, PixelCoord{x, y}, &UndecidedPixel::place);
+                const bool is_asked = listed != undecided.end() && listed->is_id_undecided;
+                const Alone a = alone(s, s.candidate, ours, {x, y}, is_asked),
                             b = alone(s, s.reference, theirs, {x, y}, differs);
                 const PixelClass expected = class_of(a, b, differs);
                 ASSERT_EQ(name_of(verdict.classes.at(x, y)), name_of(expected)) << x << ' ' << y;
                 ++said[std::size_t(expected)];
-                adjudicated += differs;
+                adjudicated += differs || (is_asked && !a.is_invalid);
                 reference_defects +=
                     b.is_invalid || !b.has_depth || (differs && !is_admissible(b.decision.admissibility));
                 if (differs || a.is_invalid || b.is_invalid || shown == PrimitiveId::none) continue;

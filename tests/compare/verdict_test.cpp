@@ -71,12 +71,12 @@ TEST(Verdict, OnlyPixelsOfDifferentIdsAreAdjudicated) { EXPECT_EQ(mixed_scene().
 /// and leave nothing between them, only rationals see.
 TEST(Verdict, ExactRationalsAreCountedWhereTheyDecide) {
     TestScene t(Projection::parallel, 3, 1,
-                {wall_left_of(0.5, 4, -64, 64), wall_right_of(0.5, 4, -32, 96), wall(8)});
+                {wall_left_of(0.5, 4, -64, 64), wall_right_of(0.5, 5, -32, 96), wall(8)});
     t.view.camera.window.right = 1;
     answer_everywhere(t.candidate, 2, 8);
     answer_everywhere(t.reference, 0, 4);
     answer(t.candidate, 0, 0, 0, 4);
-    answer(t.candidate, 2, 0, 1, 4);
+    answer(t.candidate, 2, 0, 1, 5);
     answer_background(t.reference, 2, 0);
     const Verdict verdict = t.verdict();
     EXPECT_EQ(verdict.classes.at(0, 0), PixelClass::agree);

@@ -1,0 +1,152 @@
+#include "compare/agree/unproven_pixels.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/adjudicate/image_box.h"
+#include "compare/admissible/neighbourhood.h"
+#include "compare/bounds/triangle_depth.h"
+
+namespace zproof {
+
+namespace {
+
+/// The largest eps anywhere on the triangle.
+double most_eps_px(const TriangleBounds& bounds) {
+    return bounds.eps_base_px +
+           bounds.eps_per_inverse_depth * CornerInverseDepth(bounds.nearest, bounds.farthest).highest;
+}
+
+/// May near or far cut the triangle?
+bool may_be_cut(const Camera& camera, const TriangleBounds& bounds) {
+    return bounds.nearest <= camera.near_depth + bounds.near_slack ||
+           bounds.farthest >= camera.far_depth - bounds.far_slack;
+}
+
+/// Lists the pixels at which a triangle's edges, and its cuts by near and far, pass nearer than the reference
+/// may be off, where the candidate may be off by less. Its functionals are those of pixel indices.
+class CoarseOutline {
+  public:
+    CoarseOutline(const FramePair& frames, const BoxProjection& project, std::uint32_t triangle)
+        : view_(frames.view),
+          p_world_(corners_of(frames.scene, triangle)),
+          in_view_(view_, frames.reference.bounds, p_world_),
+          reference_(frames.reference.bounds.of(in_view_.extent)),
+          candidate_(frames.candidate.bounds.of(in_view_.extent)),
+          first_(
+              seen_at(ViewRay<double>(view_, 0, 0), {frames.reference.bounds, p_world_, in_view_.extent})) {
+        box_ = project(p_world_).value_or(Box{});
+        if (box_.is_empty()) return;
+        box_.widen(most_eps_px(reference_) + 1);
+        box_ = {std::max(box_.left, 0.0), std::max(box_.top, 0.0), std::min(box_.right, view_.width - 1.0),
+                std::min(box_.bottom, view_.height - 1.0)};
+    }
+
+    void list(std::vector<PixelCoord>& pixels) {
+        if (box_.is_empty()) return;
+        const Span here = inverse_depths();
+        eps_px_ = BoundsOnPlane(reference_, in_view_.gradient).at(here.high).eps_px;
+        const bool is_finer = eps_px_ <= BoundsOnPlane(candidate_, in_view_.gradient).at(here.low).eps_px;
+        if (reference_.may_be_missing && !candidate_.may_be_missing) list_band({0, 0, 0}, 0, pixels);
+        for (const Affine<double>& edge : first_.edges)
+            if (!is_finer) list_band(edge, reach_of(edge), pixels);
+        const Camera& c = view_.camera;
+        if (reference_.near_slack > candidate_.near_slack) list_cut(c.near_depth, here, pixels);
+        if (reference_.far_slack > candidate_.far_slack) list_cut(c.far_depth, here, pixels);
+    }
+
+  private:
+    struct Span {
+        double low, high;
+    };
+    /// What an edge may be off by, with our own error anywhere in the image.
+    double reach_of(const Affine<double>& edge) const {
+        return eps_px_ * (std::abs(edge.a) + std::abs(edge.b)) +
+               first_.edge_error * (view_.width + view_.height);
+    }
+
+    /// What the triangle may have of a row, its edges moved outwards.
+    Span columns(int y) const {
+        Span span{box_.left, box_.right};
+        if (!first_.is_trusted) return span;
+        for (const Affine<double>& edge : first_.edges) {
+            const double here = edge.b * y + edge.c + reach_of(edge), at = -here / edge.a;
+            if (edge.a == 0 && here < 0) return {0, -1};
+            if (edge.a > 0) span.low = std::max(span.low, at);
+            if (edge.a < 0) span.high = std::min(span.high, at);
+        }
+        return span;
+    }
+
+    /// What the triangle's plane has in the box.
+    Span inverse_depths() const {
+        const Affine<double>& f = in_view_.inverse_depth;
+        const double middle = f.at((box_.left + box_.right) / 2, (box_.top + box_.bottom) / 2),
+                     reach = (std::abs(f.a) * (box_.right - box_.left) +
+                              std::abs(f.b) * (box_.bottom - box_.top)) /
+                                 2 +
+                             in_view_.own_error;
+        if (in_view_.is_edge_on || !std::isfinite(reach)) return {-unlimited, unlimited};
+        return {middle - reach, middle + reach};
+    }
+
+    /// Pixels of the box at which |f| <= margin.
+    void list_band(const Affine<double>& f, double margin, std::vector<PixelCoord>& pixels) const {
+        for (int y = int(std::ceil(box_.top)); y <= box_.bottom; ++y) {
+            const double here = f.b * y + f.c, middle = -here / f.a, reach = margin / std::abs(f.a);
+            if (f.a == 0 && !(std::abs(here) <= margin)) continue;
+            const bool is_bounded = std::isfinite(middle) && std::isfinite(reach);
+            const Span row = columns(y);
+            const double left = is_bounded ? std::max(middle - reach, row.low) : row.low,
+                         right = is_bounded ? std::min(middle + reach, row.high) : row.high;
+            if (!(left <= right)) continue;
+            for (int x = int(std::ceil(left)); x <= right; ++x) pixels.push_back({x, y});
+        }
+    }
+
+    /// Pixels at which the reference may cut it by near or far where it is not cut, or the other way round.
+    void list_cut(double depth, const Span& here, std::vector<PixelCoord>& pixels) const {
+        if (!std::isfinite(depth) || in_view_.is_edge_on) return;
+        const bool perspective = view_.camera.projection == Projection::perspective;
+        const LocalBounds local = BoundsOnPlane(reference_, in_view_.gradient).at(here.high);
+        const double largest = std::max(std::abs(here.low), std::abs(here.high));
+        const double of_depth =
+            perspective ? compounded(local.depth_relative + local.depth_absolute * largest) * largest
+                        : local.depth_relative * largest + local.depth_absolute;
+        Affine<double> f = in_view_.inverse_depth;
+        f.c = f.c - (perspective ? 1 / depth : -depth);
+        list_band(f, of_depth + local.inverse_depth_error + in_view_.gradient * eps_px_ + in_view_.own_error,
+                  pixels);
+    }
+
+    const View& view_;
+    CornersWorld p_world_;
+    TriangleInView in_view_;
+    TriangleBounds reference_, candidate_;
+    Neighbour first_;    ///< at pixel (0, 0)
+    Box box_;            ///< of pixel indices
+    double eps_px_ = 0;  ///< the reference's, at its largest in the box
+};
+
+}  // namespace
+
+UnprovenPixels::UnprovenPixels(const FramePair& frames)
+    : is_unproven_(Resolution{frames.view.width, frames.view.height},
+                   frames.candidate.bounds.is_watertight() && !frames.reference.bounds.is_watertight()) {
+    const BoxProjection project(frames.view);
+    const double fine_px = frames.candidate.bounds.least_eps_px();
+    tbb::enumerable_thread_specific<std::vector<PixelCoord>> found;
+    tbb::parallel_for(std::size_t(0), frames.scene.triangles.size(), [&](std::size_t i) {
+        const TriangleBounds bounds = frames.reference.bounds.of(corners_of(frames.scene, std::uint32_t(i)));
+        if (!(most_eps_px(bounds) <= fine_px) || bounds.may_be_missing ||
+            may_be_cut(frames.view.camera, bounds))
+            CoarseOutline(frames, project, std::uint32_t(i)).list(found.local());
+    });
+    for (const auto& part : found)
+        for (const PixelCoord& pixel : part) is_unproven_.at(pixel.x, pixel.y) = 1;
+}
+
+}  // namespace zproof
