@@ -10,6 +10,7 @@
 #include "bench/lazy.h"
 #include "bench/suites.h"
 #include "tests/support/footprints.h"
+#include "tests/support/test_folder.h"
 #include "tests/support/worked_setup.h"
 #include "texture/catalogue.h"
 
@@ -58,8 +59,7 @@ void look_up_all(std::span<const Footprint> seen, const texture::Sampler& sample
 class TextureSystem {
   public:
     explicit TextureSystem(const LinearImage& image)
-        : file_(std::filesystem::temp_directory_path() / "zproof-bench.tx"),
-          system_(OIIO::TextureSystem::create(false)) {
+        : file_(folder_.path() / "texture.tx"), system_(OIIO::TextureSystem::create(false)) {
         std::vector<float> rgb;
         for (const glm::vec4& texel : image.texels) rgb.insert(rgb.end(), {texel.r, texel.g, texel.b});
         const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeFloat);
@@ -72,10 +72,7 @@ class TextureSystem {
         system_->attribute("max_memory_MB", 2048.0f);
         name_ = OIIO::ustring(file_.string());
     }
-    ~TextureSystem() {
-        OIIO::TextureSystem::destroy(system_);
-        std::filesystem::remove(file_);
-    }
+    ~TextureSystem() { OIIO::TextureSystem::destroy(system_); }
     TextureSystem(const TextureSystem&) = delete;
     TextureSystem& operator=(const TextureSystem&) = delete;
 
@@ -93,6 +90,7 @@ class TextureSystem {
     }
 
   private:
+    TestFolder folder_;
     std::filesystem::path file_;
     OIIO::TextureSystem* system_;
     OIIO::ustring name_;

@@ -1,7 +1,6 @@
 // Models as scenes, beside reading the same file's bytes and having tinygltf parse them, which also decodes
 // every picture of the model; zproof decodes those that it uses, checks what it reads, and bakes.
 #include <tiny_gltf.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -12,6 +11,7 @@
 #include "bench/suites.h"
 #include "scenes/glb_writer.h"
 #include "scenes/gltf.h"
+#include "tests/support/test_folder.h"
 
 namespace zproof::bench {
 namespace {
@@ -44,8 +44,7 @@ void add_model(const std::string& name, const fs::path& file) {
 /// The rippled sheet as a .glb, removed in the end.
 class GeneratedModel {
   public:
-    GeneratedModel()
-        : file_(fs::temp_directory_path() / ("zproof-bench-" + std::to_string(getpid()) + ".glb")) {
+    GeneratedModel() : file_(folder_.path() / "model.glb") {
         TimedScene timed = ripples();
         timed.scene.parts.push_back({.node = "sheet",
                                      .mesh = "sheet",
@@ -53,13 +52,10 @@ class GeneratedModel {
         timed.scene.materials.emplace_back();
         write_glb_file(file_, timed.scene);
     }
-    ~GeneratedModel() {
-        std::error_code ignored;
-        fs::remove(file_, ignored);
-    }
     const fs::path& file() const { return file_; }
 
   private:
+    TestFolder folder_;
     fs::path file_;
 };
 

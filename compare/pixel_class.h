@@ -21,7 +21,7 @@ enum class PixelClass : std::uint8_t {
     hole,             ///< background where the scene covers for certain
     outside,          ///< an id whose triangle does not reach the pixel
     hidden,           ///< an id that is occluded for certain
-    invalid,          ///< no answer, so nothing to waive: NaN, negative depth, id out of range
+    invalid,          ///< no answer, so nothing to waive: NaN, id out of range ...
 };
 inline constexpr int pixel_class_count = int(PixelClass::invalid) + 1;
 
@@ -160,7 +160,7 @@ constexpr ClassFacts facts_of(PixelClass c) {
                 .gate = GateEffect::fail_always,
                 .colour = 0xFFFFFF,
                 .glyph = "×",
-                .meaning = "No answer at all: NaN, a negative depth, a triangle that does not exist.",
+                .meaning = "No answer: NaN, a negative depth outside its bound, no triangle of the scene.",
             };
     }
     return {};

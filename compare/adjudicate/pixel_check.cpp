@@ -32,10 +32,10 @@ Answer answer_at(const Frame& frame, const PixelCoord& place) {
 
 AnswerCheck check_answer(const FramePair& frames, const BoundedFrame& frame, const PixelCoord& place) {
     const Answer answer = answer_at(frame.frame, place);
-    if (is_invalid(answer, frames.scene.triangles.size(), frames.view.camera))
-        return {.answer = answer, .is_invalid = true};
+    if (is_invalid(answer, frames.scene.triangles.size())) return {.answer = answer, .is_invalid = true};
     const DepthCheck depth = check_depth_of(frames, frame, answer, place);
-    return {answer, false, depth.is_admissible, depth.error_over_bound};
+    const bool is_no_depth = !depth.is_admissible && is_behind_the_eye(answer.camera_depth, frames.view);
+    return {answer, is_no_depth, depth.is_admissible, depth.error_over_bound};
 }
 
 /// Checks both answers but does not put them to the admissible set.
@@ -55,12 +55,10 @@ double decide(TileWork& work, const PixelQuery& query, const AnswerCheck& check,
 
 }  // namespace
 
-bool is_invalid_depth(float depth, const Camera& camera) {
-    return std::isnan(depth) || (depth < 0 && camera.near_depth >= 0);
-}
+bool is_behind_the_eye(float depth, const View& view) { return depth < 0 && view.camera.near_depth >= 0; }
 
-bool is_invalid(const Answer& answer, std::size_t triangle_count, const Camera& camera) {
-    if (is_invalid_depth(answer.camera_depth, camera)) return true;
+bool is_invalid(const Answer& answer, std::size_t triangle_count) {
+    if (std::isnan(answer.camera_depth)) return true;
     if (answer.primitive == PrimitiveId::none) return answer.camera_depth != background_depth;
     return std::size_t(answer.primitive) >= triangle_count;
 }

@@ -11,11 +11,12 @@
 
 namespace zproof {
 
-/// Is no depth at all: NaN, or negative where the view shows nothing behind the eye.
-bool is_invalid_depth(float depth, const Camera& camera);
+/// Is the depth negative although the view shows nothing behind the eye? It is none where its bound does not
+/// admit it.
+bool is_behind_the_eye(float depth, const View& view);
 
-/// No answer at all: such a depth, an id out of range, background with a depth.
-bool is_invalid(const Answer& answer, std::size_t triangle_count, const Camera& camera);
+/// Whatever its bound is, no answer at all: NaN, an id out of range, background with a depth.
+bool is_invalid(const Answer& answer, std::size_t triangle_count);
 
 /// One renderer's answer at a pixel, by itself.
 struct AnswerCheck {

@@ -1,6 +1,7 @@
 #include "compare/admissible/depth_rule.h"
 
 #include <cmath>
+#include <limits>
 
 #include "math/interval.h"
 #include "math/rational.h"
@@ -47,17 +48,19 @@ bool is_admissible_depth(const View& view, const ViewBounds& bounds, const Corne
                          const PixelCoord& place, float depth) {
     const Neighbour n = neighbour_of(ViewRay<double>(view, place.x, place.y), bounds, p_world);
     const Projection projection = view.camera.projection;
-    if (!std::isfinite(depth)) return false;
+    if (!(depth >= std::numeric_limits<float>::lowest())) return false;  // NaN, or -infinity
+    const bool keeps = bounds.keeps_to_corners(), may_be_any = depth >= 0 || view.camera.near_depth < 0;
     if (!std::isfinite(n.bounds.depth_relative + n.bounds.depth_absolute + n.bounds.inverse_depth_error))
-        return true;
-    const CornerLimits limits = bounds.keeps_to_corners() ? corner_limits(n, depth) : CornerLimits{};
+        return may_be_any;
+    const CornerLimits limits = keeps ? corner_limits(n, depth) : CornerLimits{};
     if (limits.is_beyond) return false;
-    if (!n.is_plane_known) return true;  // the corners alone say
+    if (!n.is_plane_known) return keeps || may_be_any;  // the corners alone say
     const double shift = n.bounds.depth_eps_px * n.gradient + n.bounds.inverse_depth_error;
     const auto decide = [&]<class Number>(Number) {
         const auto image = image_of(ViewRay<Number>(view, place.x, place.y), corners<Number>(p_world));
-        if (!image) return true;
+        if (!image) return keeps || may_be_any;
         const Number inverse_depth = image->inverse_depth.c, s(shift);
+        if (std::isinf(depth)) return projection == Projection::perspective && sign(inverse_depth - s) <= 0;
         return (limits.is_at_farthest ||
                 is_not_too_near<Number>(inverse_depth + s, n.bounds, depth, projection)) &&
                (limits.is_at_nearest ||

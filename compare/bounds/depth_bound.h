@@ -15,7 +15,7 @@ inline double error_over_bound(const DepthBound& bound, double depth) {
     const double error = std::abs(depth - bound.truth);
     const double room = depth < bound.truth ? bound.truth - bound.low : bound.high - bound.truth;
     const double share = error / room;
-    return error == 0 || (std::isinf(room) && depth == depth) ? 0 : share;
+    return depth == bound.truth || (std::isinf(room) && depth == depth) ? 0 : share;
 }
 
 }  // namespace zproof

@@ -94,8 +94,7 @@ class RestatedClaims {
             return reported.low <= depth && depth <= reported.high &&
                    (std::isfinite(depth) || !std::isfinite(reported.low));
         }
-        return (depth >= 0 || view.camera.near_depth < 0) &&
-               check_depth(view, shown_bounds_, p_world, triangle, {claim.x, claim.y}, depth).is_admissible;
+        return check_depth(view, shown_bounds_, p_world, triangle, {claim.x, claim.y}, depth).is_admissible;
     }
 
     const Scene& scene_;

@@ -19,8 +19,9 @@ std::vector<PixelExplanation> explain(const Scene& scene, const View& view, cons
     for (const PixelExplanation& explanation : explanations)
         search_pixels.push_back(search_pixel_of(explanation));
     explainer.search(search_pixels);
-    tbb::parallel_for(std::size_t(0), explanations.size(),
-                      [&](std::size_t i) { explainer.finish(explanations[i], search_pixels[i]); });
+    tbb::parallel_for(std::size_t(0), explanations.size(), [&](std::size_t i) {
+        explainer.finish(explanations[i], search_pixels[i], Neighbourhood{}.most_work);
+    });
     return explanations;
 }
 

@@ -28,16 +28,22 @@ std::array<double, 3> edge_distances(const ViewRay<double>& ray, const CornersWo
     return distance;
 }
 
-std::vector<Candidate> candidates_in(const View& view, const ViewBounds& shown, const Neighbourhood& around,
-                                     CoplanarCache& coplanar) {
+/// Takes what a decision among so many takes at least, too: to bound four neighbours is worth a cut.
+Decision decide_within(Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar) {
+    const Decision decision = decide(around, answer, coplanar);
+    around.most_work -= std::min(around.most_work, decision.work + around.neighbours.size() / 4);
+    return decision;
+}
+
+/// All triangles around, nearest first, not yet decided.
+std::vector<Candidate> undecided_candidates(const View& view, const ViewBounds& shown,
+                                            const Neighbourhood& around) {
     const ViewRay<double> ray(view, around.x, around.y);
     std::vector<Candidate> candidates;
     for (const Neighbour& n : around.neighbours) {
-        const Decision decision = decide(around, PrimitiveId(n.triangle), coplanar);
-        if (decision.admissibility == Admissibility::outside) continue;
         const TriangleDepth depth(TriangleInView(view, shown, n.p_world), shown);
-        candidates.push_back({PrimitiveId(n.triangle), edge_distances(ray, n.p_world),
-                              depth.at(around.x, around.y), decision});
+        candidates.push_back(
+            {PrimitiveId(n.triangle), edge_distances(ray, n.p_world), depth.at(around.x, around.y), {}});
     }
     std::ranges::stable_sort(candidates, {}, [](const Candidate& c) { return c.depth.truth; });
     return candidates;
@@ -85,14 +91,27 @@ void Explainer::search(std::span<SearchPixel> search_pixels) const {
     find_nearby_triangles(frames_.scene, frames_.view, renderers, search_pixels);
 }
 
-void Explainer::finish(PixelExplanation& explanation, const SearchPixel& search_pixel) const {
+void Explainer::finish(PixelExplanation& explanation, const SearchPixel& search_pixel,
+                       std::size_t most_work) const {
     const auto& [scene, view, candidate, reference] = frames_;
     Neighbourhood around =
         neighbourhood_of(scene, view, candidate.bounds, search_pixel, search_pixel.reach_px);
     around.eps_px = search_pixel.reach_px;
     CoplanarCache coplanar(explained_coplanar_pairs);
-    explanation.candidates = candidates_in(view, candidate.shown_bounds, around, coplanar);
-    explanation.background = decide(around, PrimitiveId::none, coplanar);
+    around.most_work = most_work;
+    explanation.background = decide_within(around, PrimitiveId::none, coplanar);
+    std::vector<Candidate> near = undecided_candidates(view, candidate.shown_bounds, around);
+    const auto ask = [&](Candidate& c) {
+        if (around.most_work == 0) return false;
+        c.decision = decide_within(around, c.primitive, coplanar);
+        return true;
+    };
+    const auto unasked = std::ranges::find_if_not(near, ask);
+    explanation.left_out = std::size_t(near.end() - unasked);
+    near.erase(unasked, near.end());
+    std::erase_if(near,
+                  [](const Candidate& c) { return c.decision.admissibility == Admissibility::outside; });
+    explanation.candidates = std::move(near);
 }
 
 SearchPixel search_pixel_of(const PixelExplanation& explanation, double reach_px) {

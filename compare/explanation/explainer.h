@@ -22,8 +22,9 @@ class Explainer {
     std::vector<PixelExplanation> begin(std::span<const PixelCoord> places) const;
     /// The triangles near pixels, by the bounds of both renderers.
     void search(std::span<SearchPixel> search_pixels) const;
-    /// `search_pixel` holds the triangles within the finding's eps_px.
-    void finish(PixelExplanation& explanation, const SearchPixel& search_pixel) const;
+    /// `search_pixel` holds the triangles within the finding's eps_px. At most `most_work` is spent, in cuts
+    /// of a region by a half-plane: on background first, then from the nearest triangle on.
+    void finish(PixelExplanation& explanation, const SearchPixel& search_pixel, std::size_t most_work) const;
 
   private:
     FramePair frames_;

@@ -13,6 +13,9 @@ namespace zproof {
 
 namespace {
 
+/// In cuts of a region by a half-plane, a second or two of a processor. Each explanation is given as much.
+constexpr std::size_t most_work_of_a_view = std::size_t{1} << 22;
+
 /// The edge scaled so that its value is a distance.
 Affine<double> as_distance(const Affine<double>& edge) { return (1 / std::hypot(edge.a, edge.b)) * edge; }
 
@@ -77,11 +80,13 @@ std::vector<IllustratedExplanation> illustrate(const Scene& scene, const View& v
         search_pixels.push_back(search_pixel_of(explanation, places.reach_px));
     explainer.search(search_pixels);
     std::vector<IllustratedExplanation> told(explanations.size());
+    const std::size_t most_work = std::min(
+        Neighbourhood{}.most_work, most_work_of_a_view / std::max<std::size_t>(places.places.size(), 1));
     tbb::parallel_for(std::size_t(0), explanations.size(), [&](std::size_t i) {
         SearchPixel drawn = search_pixels[i], explained = search_pixels[i];
         explained.reach_px = explanations[i].finding.eps_px;
         drawn.reach_px = places.reach_px;
-        explainer.finish(explanations[i], explained);
+        explainer.finish(explanations[i], explained, most_work);
         told[i] = {std::move(explanations[i]), images_at(scene, view, drawn, places.most)};
     });
     return told;

@@ -27,6 +27,8 @@ struct PixelExplanation {
     std::vector<Candidate>
         candidates;       ///< triangles within eps of the centre, nearest first; candidate's precision
     Decision background;  ///< would background have been admissible?
+    /// Triangles nearby, none nearer than the candidates, that were not asked about: the work was spent.
+    std::size_t left_out = 0;
 };
 
 }  // namespace zproof

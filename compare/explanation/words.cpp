@@ -142,7 +142,11 @@ std::string in_words(const Scene& scene, const PixelExplanation& explanation) {
          decided ? explanation.reference.eps_px : f.eps_px);
     text << "triangles within the candidate's eps of the centre, nearest first:\n";
     for (const Candidate& c : explanation.candidates) tell(text, scene, c);
-    if (explanation.candidates.empty()) text << "  none\n";
+    if (explanation.left_out > 0)
+        text << "  not asked about: " << explanation.left_out << " farther triangles around, since the work "
+             << "that an explanation is given was spent\n";
+    else if (explanation.candidates.empty())
+        text << "  none\n";
     text << "background: " << words_for(explanation.background.admissibility) << '\n';
     return text.str();
 }

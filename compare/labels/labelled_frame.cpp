@@ -95,7 +95,7 @@ class LabelledFrame {
             const PrimitiveId first = first_.of(label), reference = reference_.primitive.at(x, y);
             if (is_background(labels_, label, depth))
                 named = PrimitiveId::none;
-            else if (first == no_such_triangle || is_invalid_depth(depth, view_.camera))
+            else if (first == no_such_triangle || std::isnan(depth))
                 named = first;
             else if (has_label(reference, label) && holds_depth(depth_of_reference, reference, pixel))
                 named = reference;

@@ -8,6 +8,7 @@
 
 #include "frame/whole_file.h"
 #include "reports/json.h"
+#include "tests/support/test_folder.h"
 #include "zproof/zproof.h"
 
 namespace zproof::api {
@@ -24,7 +25,6 @@ class ApiReport : public testing::Test {
         id[4000] = background_id, depth[4000] = INFINITY;
         id[7000] = 3;
     }
-    ~ApiReport() override { fs::remove_all(folder); }
 
     Verdict verdict(const std::string& ids = "triangle") const {
         return judge(
@@ -35,8 +35,8 @@ class ApiReport : public testing::Test {
         return results_from_json(content_of(report / "results.json"));
     }
 
-    const fs::path folder =
-        fs::path{testing::TempDir()} / testing::UnitTest::GetInstance()->current_test_info()->name();
+    const TestFolder own_folder;
+    const fs::path folder = own_folder.path();
     const Scene scene = Scene::load("room", {160, 90});
     const View view = scene.views().front();
     const Frame ours = render(scene, view);

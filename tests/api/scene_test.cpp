@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "scenes/suite.h"
+#include "tests/support/test_folder.h"
 #include "zproof/data.h"
 #include "zproof/zproof.h"
 
@@ -69,8 +70,8 @@ TEST(ApiScene, WhatCannotBeLoadedIsNamed) {
 }
 
 TEST(ApiScene, SavedAndLoadedItIsTheSameBits) {
-    const auto folder = std::filesystem::path{testing::TempDir()} / "api_scene";
-    std::filesystem::create_directories(folder);
+    const TestFolder own;
+    const std::filesystem::path folder = own.path();
     const Scene scene{{.positions_world = square, .triangles = halves, .name = "square"}};
     const std::vector<View> views{View::from_opencv(
         {.K = {30, 0, 15.5, 0, 31, 11.5, 0, 0, 1}, .t = {0.1, 0.2, 3.3}}, {32, 24}, 0.1, 10, "cam")};

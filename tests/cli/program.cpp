@@ -71,24 +71,12 @@ constexpr int points = 0, triangles = 4;
 
 }  // namespace
 
-Folder::Folder() {
-    std::string pattern = (fs::temp_directory_path() / "zproof-test-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error{"no temporary folder: " + pattern};
-    path_ = pattern;
-}
-
-Folder::~Folder() { fs::remove_all(path_); }
-
-void Folder::write(const fs::path& name, const std::string& text) const {
-    fs::create_directories((path_ / name).parent_path());
-    std::ofstream{path_ / name, std::ios::binary} << text;
-}
-
-std::string Folder::read(const fs::path& name) const { return text_of(path_ / name); }
+std::string Folder::read(const fs::path& name) const { return text_of(path() / name); }
 
 Words Folder::names() const {
     Words names;
-    for (const auto& entry : fs::directory_iterator{path_}) names.push_back(entry.path().filename().string());
+    for (const auto& entry : fs::directory_iterator{path()})
+        names.push_back(entry.path().filename().string());
     std::ranges::sort(names);
     return names;
 }

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/test_folder.h"
+
 namespace zproof::test {
 
 /// What a finished run left to see.
@@ -17,21 +19,11 @@ struct Ran {
 
 using Words = std::vector<std::string>;
 
-/// A folder that is gone when this object is, and in which the program is run.
-class Folder {
+/// A folder in which the program is run.
+class Folder : public TestFolder {
   public:
-    Folder();
-    ~Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-    void write(const std::filesystem::path& name, const std::string& text) const;  ///< folders are made
     std::string read(const std::filesystem::path& name) const;
     Words names() const;  ///< of what lies in it, sorted
-
-  private:
-    std::filesystem::path path_;
 };
 
 /// Files for the program's stdout and stderr.

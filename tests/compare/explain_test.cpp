@@ -1,11 +1,14 @@
 #include "compare/explanation/explain.h"
 
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "compare/explanation/explainer.h"
+#include "compare/explanation/illustration.h"
 #include "test_scene.h"
 
 namespace zproof {
@@ -38,6 +41,75 @@ TEST(Explain, TellsEveryTriangleWithinEpsNearestFirst) {
     EXPECT_EQ(explanation.candidate.admissibility, Admissibility::visible);
     EXPECT_EQ(explanation.reference.admissibility, Admissibility::visible);
     EXPECT_EQ(explanation.background.admissibility, Admissibility::hole);
+}
+
+/// Walls one behind the other, each of which ends within eps of the centre of pixel (1, 1).
+TestScene crowd(int count) {
+    std::vector<Triangle> walls;
+    for (int i = 0; i < count; ++i) walls.push_back(wall_left_of(1.5 + i % 7 / 2048.0, 4 + i / 64.0));
+    TestScene t(Projection::parallel, 4, 4, walls);
+    answer_everywhere(t.reference, 0, 4);
+    answer_everywhere(t.candidate, std::uint32_t(count - 1), 4);
+    return t;
+}
+
+/// Work in cuts, of what was asked about.
+std::size_t work_of(const PixelExplanation& e) {
+    std::size_t work = e.background.work;
+    for (const Candidate& c : e.candidates) work += c.decision.work;
+    return work;
+}
+
+TEST(Explain, SpendsNoMoreThanItIsGivenAndSaysWhatIsLeftOut) {
+    const TestScene t = crowd(60);
+    const Explainer explainer(t.scene, t.view, {t.candidate, t.candidate_precision},
+                              {t.reference, t.reference_precision});
+    const PixelCoord place{1, 1};
+    const auto explained = [&](std::size_t most_work) {
+        PixelExplanation e = explainer.begin({&place, 1}).front();
+        SearchPixel search_pixel = search_pixel_of(e);
+        explainer.search({&search_pixel, 1});
+        explainer.finish(e, search_pixel, most_work);
+        return e;
+    };
+    const PixelExplanation whole = explained(500'000);
+    ASSERT_EQ(whole.left_out, 0u);
+    ASSERT_EQ(whole.candidates.size(), 60u);
+    EXPECT_EQ(in_words(t.scene, whole).find("not asked about"), std::string::npos);
+    const std::size_t half = work_of(whole) / 2;
+    const PixelExplanation part = explained(half);
+    EXPECT_GT(part.left_out, 0u);
+    EXPECT_EQ(part.candidates.size() + part.left_out, 60u);
+    ASSERT_GT(part.candidates.size(), 1u);
+    // The last one may go beyond by what it takes to see that it does.
+    EXPECT_LE(work_of(part) - part.candidates.back().decision.work, half);
+    for (std::size_t i = 0; i + 1 < part.candidates.size(); ++i) {
+        EXPECT_EQ(part.candidates[i].primitive, whole.candidates[i].primitive);
+        EXPECT_EQ(part.candidates[i].decision.admissibility, whole.candidates[i].decision.admissibility);
+    }
+    EXPECT_NE(
+        in_words(t.scene, part)
+            .find("not asked about: " + std::to_string(part.left_out) + " farther triangles around, since"),
+        std::string::npos);
+    EXPECT_EQ(explained(0).left_out, 60u);
+}
+
+TEST(Explain, ManyPixelsOfAViewShareItsWork) {
+    const TestScene t = crowd(60);
+    const RenderedFrame candidate{t.candidate, t.candidate_precision},
+        reference{t.reference, t.reference_precision};
+    const std::vector<PixelCoord> one(1, {1, 1});
+    std::vector<PixelCoord> many(599, {3, 3});  // where nothing is near
+    many.push_back(one.front());
+    const auto told = [&](std::span<const PixelCoord> places) {
+        return illustrate(t.scene, t.view, candidate, reference, {places, 1, 4}).back().explanation;
+    };
+    EXPECT_EQ(told(one).left_out, 0u);
+    const PixelExplanation alone = told(many),
+                           on_one_thread = tbb::task_arena(1).execute([&] { return told(many); });
+    EXPECT_GT(alone.left_out, 0u);
+    EXPECT_LE(work_of(alone) - alone.candidates.back().decision.work, (std::size_t{1} << 22) / many.size());
+    EXPECT_EQ(in_words(t.scene, alone), in_words(t.scene, on_one_thread));
 }
 
 TEST(Explain, EdgeDistancesAreIn256thsOfAPixelPositiveInside) {

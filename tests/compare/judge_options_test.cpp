@@ -89,7 +89,7 @@ Alone alone(const Shown& s, const Frame& frame, const ViewBounds& bounds, const 
     const bool is_none = id == PrimitiveId::none;
     Alone a;
     a.is_invalid =
-        std::isnan(z) || z < 0 || (is_none ? !std::isinf(z) : std::size_t(id) >= s.scene.triangles.size());
+        std::isnan(z) || (is_none ? z != background_depth : std::size_t(id) >= s.scene.triangles.size());
     if (a.is_invalid) return a;
     if (!is_none) {
         const CornersWorld p = corners_of(s.scene, std::uint32_t(id));
@@ -97,8 +97,9 @@ Alone alone(const Shown& s, const Frame& frame, const ViewBounds& bounds, const 
         const DepthCheck check = check_depth(s.view, bounds, p, depth, place, z);
         a.has_depth = check.is_admissible;
         a.error_over_bound = check.error_over_bound;
+        a.is_invalid = z < 0 && !check.is_admissible;
     }
-    if (!differs) return a;
+    if (a.is_invalid || !differs) return a;
     CoplanarCache coplanar(16);
     const double own = own_eps_px(s.scene, s.view, bounds, place, id);
     a.decision = decide(surroundings(s.scene, s.view, bounds, place, own), id, coplanar);

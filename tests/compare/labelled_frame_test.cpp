@@ -183,6 +183,15 @@ TEST_P(TwoWalls, GiveTheSameFrameOnAnyNumberOfThreads) {
 INSTANTIATE_TEST_SUITE_P(Projections, TwoWalls,
                          testing::Values(Projection::perspective, Projection::parallel));
 
+TEST(ALabel, NamesTheTriangleWhoseBoundReachesANegativeDepth) {
+    TestScene t(Projection::perspective, 2, 2, {wall(4), wall(0.25)});
+    const RenderedFrame of_labels{t.candidate, BoundedPrecision{.eps_px = 0.01, .depth_absolute = 0.5}};
+    answer_everywhere(t.candidate, 7, -0.25);
+    answer_everywhere(t.reference, 0, 4);
+    const Frame named = with_triangles(t.scene, t.view, of_labels, labels({7, 7}), t.reference);
+    EXPECT_EQ(named.primitive.at(1, 1), PrimitiveId(1));
+}
+
 TEST(ALabel, IsToldBesideTheFinding) {
     TriangleLabels two = labels({7, 5});
     two.names[7] = "Wood";

@@ -163,6 +163,9 @@ TEST(ErrorOverBound, TakesTheBoundOnTheDepthsOwnSide) {
     EXPECT_EQ(error_over_bound(bound, 8), 2);
     EXPECT_EQ(error_over_bound(bound, 2), 2);
     EXPECT_EQ(error_over_bound({4, 4, 4}, 4), 0) << "an exact hit needs no bound";
+    EXPECT_EQ(error_over_bound({3, unlimited, unlimited}, unlimited), 0);
+    EXPECT_EQ(error_over_bound({3, 4, unlimited}, unlimited), 0);
+    EXPECT_EQ(error_over_bound(bound, unlimited), unlimited);
 }
 
 /// A floor that recedes to a horizon in the middle of the image: above it the floor is seen at no depth.

@@ -51,7 +51,7 @@ TEST(Evidence, CsvHoldsEveryFinding) {
 }
 
 TEST(Evidence, FramesComeBackBitForBit) {
-    const TemporaryFolder run;
+    const TestFolder run;
     const SampleView sample = sample_view();
     write_view_evidence(run.path() / "scenes/a", sample.candidate, sample.reference, sample.verdict);
     const Frame candidate = read_frame(run.path() / "scenes/a/candidate.exr");
@@ -62,7 +62,7 @@ TEST(Evidence, FramesComeBackBitForBit) {
 }
 
 TEST(Evidence, IsComplete) {
-    const TemporaryFolder run;
+    const TestFolder run;
     const SampleView sample = sample_view();
     write_view_evidence(run.path(), sample.candidate, sample.reference, sample.verdict);
     for (const std::string name : {"id", "reference-id", "depth", "class"})
@@ -72,7 +72,7 @@ TEST(Evidence, IsComplete) {
 }
 
 TEST(Evidence, PicturesAreThoseOfTheFrames) {
-    const TemporaryFolder run;
+    const TestFolder run;
     const SampleView sample = sample_view();
     Frame candidate({1100, 300}), reference({1100, 300});
     for (std::size_t i = 0; i < candidate.primitive.pixels().size(); ++i) {
@@ -122,7 +122,7 @@ TEST(Evidence, CsvNumbersReadBackToTheSameBits) {
 }
 
 TEST(Evidence, AFolderThatCannotBeMadeIsNamed) {
-    const TemporaryFolder run;
+    const TestFolder run;
     std::ofstream(run.path() / "taken") << "a file";
     const SampleView sample = sample_view();
     try {

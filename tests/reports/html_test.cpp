@@ -45,7 +45,7 @@ TEST(Html, SetsStudiesBehindTheViewsAndNamesThemOnTop) {
 }  // namespace
 
 TEST(Html, HoldsOneScriptThatItsPolicyAdmitsAndNoAddress) {
-    const TemporaryFolder run;
+    const TestFolder run;
     const SampleView sample = sample_view();
     write_view_evidence(run.path() / "scenes/room-corner", sample.candidate, sample.reference,
                         sample.verdict);
@@ -154,7 +154,7 @@ Results twenty_views() {
 }
 
 TEST(Html, StaysBelow25MegabytesWhateverThePicturesWeigh) {
-    const TemporaryFolder run;
+    const TestFolder run;
     const Results results = twenty_views();
     for (const ViewResult& view : results.views) {
         write_file(run.path() / view.folder / "class-small.png", "tiny");
@@ -182,7 +182,7 @@ planes::Container sample_planes(std::size_t weight) {
 }
 
 TEST(Html, StaysBelow25MegabytesWhateverThePlanesWeighAndSaysWhatIsLeftOut) {
-    const TemporaryFolder run;
+    const TestFolder run;
     Results results = twenty_views();
     results.views[19].outcome = Outcome::proven;
     for (const ViewResult& view : results.views)
@@ -198,7 +198,7 @@ TEST(Html, StaysBelow25MegabytesWhateverThePlanesWeighAndSaysWhatIsLeftOut) {
 }
 
 TEST(Html, EmbedsPlanesAsTheyAreAndAnotherBudgetIsKept) {
-    const TemporaryFolder run;
+    const TestFolder run;
     const Results results = sample_results();
     const std::string all = planes::packed(sample_planes(50'000));
     for (const std::size_t view : {0u, 1u})
@@ -213,7 +213,7 @@ TEST(Html, EmbedsPlanesAsTheyAreAndAnotherBudgetIsKept) {
 }
 
 TEST(Html, NeverEmbedsAPlaneWithoutTheOneThatItIsGuessedFrom) {
-    const TemporaryFolder run;
+    const TestFolder run;
     const Results results = sample_results();
     planes::Container container = sample_planes(3'000);
     container.blocks[1].content.assign(400'000, 'x');
@@ -225,7 +225,7 @@ TEST(Html, NeverEmbedsAPlaneWithoutTheOneThatItIsGuessedFrom) {
 }
 
 TEST(Html, DamagedPlanesAreNamed) {
-    const TemporaryFolder run;
+    const TestFolder run;
     const Results results = sample_results();
     write_file(run.path() / results.views[1].folder / "planes.zvp", "damaged");
     EXPECT_THROW(to_html(results, run.path()), ReportError);

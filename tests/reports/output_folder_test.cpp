@@ -36,7 +36,7 @@ void publish(const fs::path& path, const std::string& content) {
 }
 
 /// Publishes again. The paths in `home` of what was kept.
-std::vector<std::string> republish(const TemporaryFolder& home, const std::string& content) {
+std::vector<std::string> republish(const TestFolder& home, const std::string& content) {
     OutputFolder folder(home.path() / "out");
     write_file(folder.working() / "results.json", content);
     std::vector<std::string> kept;
@@ -57,7 +57,7 @@ std::string refusal(const fs::path& path) {
 }  // namespace
 
 TEST(OutputFolder, ThatIsPartialStandsBesideTheLastFullOne) {
-    const TemporaryFolder home;
+    const TestFolder home;
     const auto publish_partial = [&](const std::string& content) {
         OutputFolder folder(home.path() / "out");
         write_file(folder.working() / "results.json", content);
@@ -78,7 +78,7 @@ TEST(OutputFolder, ThatIsPartialStandsBesideTheLastFullOne) {
 }
 
 TEST(OutputFolder, ThatIsFullLeavesAForeignPartialFolderAlone) {
-    const TemporaryFolder home;
+    const TestFolder home;
     fs::create_directory(home.path() / "out.partial");
     write_file(home.path() / "out.partial/thesis.tex", "years of work");
     publish(home.path() / "full.partial", "a run's own folder");
@@ -89,7 +89,7 @@ TEST(OutputFolder, ThatIsFullLeavesAForeignPartialFolderAlone) {
 }
 
 TEST(OutputFolder, KeepsWhatOthersPutIntoAPartialOne) {
-    const TemporaryFolder home;
+    const TestFolder home;
     publish(home.path() / "out", "full");
     {
         OutputFolder folder(home.path() / "out");
@@ -101,7 +101,7 @@ TEST(OutputFolder, KeepsWhatOthersPutIntoAPartialOne) {
 }
 
 TEST(OutputFolder, AppearsWholeOnlyWhenPublished) {
-    const TemporaryFolder home;
+    const TestFolder home;
     OutputFolder folder(home.path() / "deep/out");
     write_file(folder.working() / "results.json", "{}");
     EXPECT_FALSE(fs::exists(home.path() / "deep/out"));
@@ -111,7 +111,7 @@ TEST(OutputFolder, AppearsWholeOnlyWhenPublished) {
 }
 
 TEST(OutputFolder, ReplacesItsOwnWhole) {
-    const TemporaryFolder home;
+    const TestFolder home;
     {
         OutputFolder folder(home.path() / "out");
         fs::create_directories(folder.working() / "scenes/a");
@@ -125,7 +125,7 @@ TEST(OutputFolder, ReplacesItsOwnWhole) {
 }
 
 TEST(OutputFolder, KeepsWhatItDidNotWrite) {
-    const TemporaryFolder home;
+    const TestFolder home;
     publish(home.path() / "out", "old");
     fs::create_directories(home.path() / "out/models/deep");
     write_file(home.path() / "out/models/deep/mine.gltf", "a model");
@@ -138,7 +138,7 @@ TEST(OutputFolder, KeepsWhatItDidNotWrite) {
 }
 
 TEST(OutputFolder, KeepsItsOwnFileWhereSomebodyChangedIt) {
-    const TemporaryFolder home;
+    const TestFolder home;
     publish(home.path() / "out", "old");
     write_file(home.path() / "out/results.json", "0ld");
     EXPECT_EQ(republish(home, "new"), Names{"out/results.json.kept"});
@@ -150,7 +150,7 @@ TEST(OutputFolder, KeepsItsOwnFileWhereSomebodyChangedIt) {
 }
 
 TEST(OutputFolder, RefusesOneWithoutAListAndLeavesItAlone) {
-    const TemporaryFolder home;
+    const TestFolder home;
     fs::create_directory(home.path() / "out");
     write_file(home.path() / "out/.zproof-out", "zproof made this folder and replaces it whole.\n");
     EXPECT_NE(refusal(home.path() / "out").find("kept no list of its files"), std::string::npos);
@@ -159,7 +159,7 @@ TEST(OutputFolder, RefusesOneWithoutAListAndLeavesItAlone) {
 
 /// Somebody looks all the time: PATH is there whenever.
 TEST(OutputFolder, IsNeverMissingWhileItIsReplaced) {
-    const TemporaryFolder home;
+    const TestFolder home;
     publish(home.path() / "out", "first");
     std::atomic<bool> over = false;
     std::size_t missing = 0;
@@ -173,7 +173,7 @@ TEST(OutputFolder, IsNeverMissingWhileItIsReplaced) {
 }
 
 TEST(OutputFolder, TidiesUpAfterRunsThatWereKilled) {
-    const TemporaryFolder home;
+    const TestFolder home;
     publish(home.path() / "out", "old");
     write_file(home.path() / "out/mine", "a file of somebody");
     fs::rename(home.path() / "out", home.path() / "out.old-123");  // killed between two renames
@@ -190,7 +190,7 @@ TEST(OutputFolder, TidiesUpAfterRunsThatWereKilled) {
 }
 
 TEST(OutputFolder, RemovesTheEmptyFolderOfADeadProcess) {
-    const TemporaryFolder home;
+    const TestFolder home;
     fs::create_directory(home.path() / "out.tmp-99999999");  // no process has such a number
     fs::create_directory(home.path() / "out.old-99999999-2");
     fs::create_directory(home.path() / "out.tmp-1");  // a living one's: it may be about to lock it
@@ -199,7 +199,7 @@ TEST(OutputFolder, RemovesTheEmptyFolderOfADeadProcess) {
 }
 
 TEST(OutputFolder, RetiresWhatAKilledRunHadReplaced) {
-    const TemporaryFolder home;
+    const TestFolder home;
     publish(home.path() / "out", "old");
     write_file(home.path() / "out/mine", "a file of somebody");
     fs::rename(home.path() / "out", home.path() / "out.tmp-9");  // killed after the exchange
@@ -211,7 +211,7 @@ TEST(OutputFolder, RetiresWhatAKilledRunHadReplaced) {
 }
 
 TEST(OutputFolder, RefusesAForeignFolderAndLeavesItAlone) {
-    const TemporaryFolder home;
+    const TestFolder home;
     fs::create_directory(home.path() / "thesis");
     write_file(home.path() / "thesis/chapter1.tex", "three years of work");
     EXPECT_NE(refusal(home.path() / "thesis").find("thesis: exists and was not made by zproof"),
@@ -221,7 +221,7 @@ TEST(OutputFolder, RefusesAForeignFolderAndLeavesItAlone) {
 }
 
 TEST(OutputFolder, RefusesAFileAndADeadLink) {
-    const TemporaryFolder home;
+    const TestFolder home;
     write_file(home.path() / "file", "text");
     EXPECT_NE(refusal(home.path() / "file").find("not a folder"), std::string::npos);
     EXPECT_EQ(content_of(home.path() / "file"), "text");
@@ -231,7 +231,7 @@ TEST(OutputFolder, RefusesAFileAndADeadLink) {
 }
 
 TEST(OutputFolder, TakesAnEmptyFolder) {
-    const TemporaryFolder home;
+    const TestFolder home;
     fs::create_directory(home.path() / "out");
     publish(home.path() / "out", "new");
     EXPECT_EQ(content_of(home.path() / "out/results.json"), "new");
@@ -239,7 +239,7 @@ TEST(OutputFolder, TakesAnEmptyFolder) {
 }
 
 TEST(OutputFolder, FollowsALink) {
-    const TemporaryFolder home;
+    const TestFolder home;
     publish(home.path() / "real", "old");
     fs::create_directory_symlink(home.path() / "real", home.path() / "link");
     publish(home.path() / "link", "new");
@@ -249,7 +249,7 @@ TEST(OutputFolder, FollowsALink) {
 }
 
 TEST(OutputFolder, LeavesNothingWhenAbandoned) {
-    const TemporaryFolder home;
+    const TestFolder home;
     {
         const OutputFolder folder(home.path() / "out");
         write_file(folder.working() / "half", "a result");
@@ -258,7 +258,7 @@ TEST(OutputFolder, LeavesNothingWhenAbandoned) {
 }
 
 TEST(OutputFolder, AFailureLeavesTheOldOne) {
-    const TemporaryFolder home;
+    const TestFolder home;
     publish(home.path() / "out", "old");
     try {
         OutputFolder folder(home.path() / "out");
@@ -271,7 +271,7 @@ TEST(OutputFolder, AFailureLeavesTheOldOne) {
 }
 
 TEST(OutputFolder, APublishThatFailsPutsTheOldOneBack) {
-    const TemporaryFolder home;
+    const TestFolder home;
     publish(home.path() / "out", "old");
     {
         OutputFolder folder(home.path() / "out");
@@ -283,7 +283,7 @@ TEST(OutputFolder, APublishThatFailsPutsTheOldOneBack) {
 }
 
 TEST(OutputFolder, LooksAgainBeforeItReplaces) {
-    const TemporaryFolder home;
+    const TestFolder home;
     {
         OutputFolder folder(home.path() / "out");
         fs::create_directory(home.path() / "out");
@@ -295,7 +295,7 @@ TEST(OutputFolder, LooksAgainBeforeItReplaces) {
 }
 
 TEST(OutputFolder, TwoAtATimeDoNotShareAWorkingFolder) {
-    const TemporaryFolder home;
+    const TestFolder home;
     const OutputFolder first(home.path() / "out"), second(home.path() / "out");
     EXPECT_NE(first.working(), second.working());
     EXPECT_TRUE(fs::exists(first.working())) << "the second took the first for dead";

@@ -23,7 +23,7 @@ TEST(Base64, IsRfc4648) {
 }
 
 TEST(PageText, IsItsPiecesAndWhatFilesHold) {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     const std::string bytes = long_bytes(), front = "front";
     write_whole_file(folder.path() / "planes", bytes);
     const Page page{"<p>",
@@ -37,7 +37,7 @@ TEST(PageText, IsItsPiecesAndWhatFilesHold) {
 }
 
 TEST(PageText, RefusesFilesThatLackWhatItHolds) {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     write_whole_file(folder.path() / "short", "1234");
     EXPECT_THROW(text_of({FileAsBase64{"", folder.path() / "short", {{2, 3}}}}), ReportError);
     EXPECT_THROW(text_of({FileAsBase64{"", folder.path() / "absent", {{0, 1}}}}), ReportError);

@@ -123,7 +123,7 @@ TEST(PlaneContainer, GivesBackHeaderAndBlocks) {
 }
 
 TEST(PlaneContainer, SaysWhereBlocksStandInAFile) {
-    const TemporaryFolder folder;
+    const TestFolder folder;
     const Container container{{{"width", 8}}, {{"a", {{"coding", "bytes"}}, "1234"}, {"b", {}, "56"}}};
     const std::string bytes = packed(container);
     write_whole_file(folder.path() / "planes.zvp", bytes);
@@ -148,7 +148,7 @@ TEST(PlaneContainer, RefusesWhatIsNoneAndNamesThePlace) {
             EXPECT_EQ(std::string(e.what()).rfind("run/planes.zvp: no planes of a view: ", 0), 0u)
                 << e.what();
         }
-        const TemporaryFolder folder;
+        const TestFolder folder;
         const std::filesystem::path file = folder.path() / "planes.zvp";
         write_whole_file(file, bad);
         try {

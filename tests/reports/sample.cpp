@@ -1,11 +1,7 @@
 #include "tests/reports/sample.h"
 
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <limits>
-#include <stdexcept>
 
 namespace zproof {
 
@@ -144,17 +140,6 @@ Results sample_results() {
                          {"povray", "3.7 <b>", R"({"kind":"ray"})"}};
     results.views = {meadow(), room(), refused(), empty()};
     return results;
-}
-
-TemporaryFolder::TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "zproof-reports-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error(name + ": cannot make a temporary folder");
-    path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
 }
 
 std::size_t occurrences(const std::string& text, const std::string& part) {

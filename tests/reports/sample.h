@@ -1,13 +1,13 @@
 /// A run with one view of every outcome, and the frames of a small view.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "compare/verdict.h"
 #include "frame/frame.h"
 #include "frame/whole_file.h"
 #include "reports/results.h"
+#include "tests/support/test_folder.h"
 
 namespace zproof {
 
@@ -24,20 +24,6 @@ SampleView sample_view();
 /// proven "meadow/dawn", defective "room/corner" with numbers that are hard to print, unreadable
 /// hostile_name, not judged "empty/0", in this order.
 Results sample_results();
-
-/// A folder of this test alone, removed at the end.
-class TemporaryFolder {
-  public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
 
 /// How often part occurs in text.
 std::size_t occurrences(const std::string& text, const std::string& part);

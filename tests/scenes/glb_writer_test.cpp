@@ -14,42 +14,19 @@
 #include "scenes/scene_error.h"
 #include "scenes/suite.h"
 #include "scenes/view_file.h"
+#include "tests/support/test_folder.h"
 
 namespace zproof {
 namespace {
 
-/// A folder of this test's own, empty at first and removed at the end.
-class OwnFolder {
-  public:
-    OwnFolder() {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        std::string name = std::string(test->test_suite_name()) + "." + test->name();
-        std::ranges::replace(name, '/', '.');
-        path_ = std::filesystem::path(testing::TempDir()) / ("zproof." + name);
-        std::filesystem::remove_all(path_);
-        std::filesystem::create_directories(path_);
-    }
-    ~OwnFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    OwnFolder(const OwnFolder&) = delete;
-    OwnFolder& operator=(const OwnFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
-
 Loaded written_and_loaded(const Loaded& loaded) {
-    const OwnFolder folder;
+    const TestFolder folder;
     write_glb(folder.path(), loaded);
     return load_view_file(folder.path() / (loaded.scene.name + ".view.json"));
 }
 
 Scene written_alone_and_loaded(const Scene& scene) {
-    const OwnFolder folder;
+    const TestFolder folder;
     write_glb_file(folder.path() / "scene.glb", scene);
     return load_gltf_scene(folder.path() / "scene.glb");
 }
@@ -252,7 +229,7 @@ TEST(GlbWriter, WritesASceneWithoutTrianglesWithoutAMesh) {
     Scene scene;
     EXPECT_TRUE(written_alone_and_loaded(scene).triangles.empty());
     scene.vertices.position_world = {{1, 2, 3}};
-    const OwnFolder folder;
+    const TestFolder folder;
     write_glb_file(folder.path() / "empty.glb", scene);
     const std::string glb = content(folder.path() / "empty.glb");
     EXPECT_EQ(glb.find("meshes"), std::string::npos);
@@ -260,7 +237,7 @@ TEST(GlbWriter, WritesASceneWithoutTrianglesWithoutAMesh) {
 }
 
 TEST(GlbWriter, RefusesPartsThatLeaveATriangleOut) {
-    const OwnFolder folder;
+    const TestFolder folder;
     Loaded loaded = with_every_attribute();
     loaded.scene.parts.pop_back();
     EXPECT_THROW(write_glb(folder.path(), loaded), SceneError);
@@ -271,7 +248,7 @@ TEST(GlbWriter, RefusesPartsThatLeaveATriangleOut) {
 }
 
 TEST(GlbWriter, WritesOneMeshWhoseChunksFillTheFile) {
-    const OwnFolder folder;
+    const TestFolder folder;
     write_glb(folder.path(), with_every_attribute());
     const std::string glb = content(folder.path() / "every attribute.glb");
     const auto word = [&](std::size_t at) {
@@ -291,7 +268,7 @@ TEST(GlbWriter, WritesOneMeshWhoseChunksFillTheFile) {
 }
 
 TEST(GlbWriter, ReplacesOldFilesAndLeavesNoOthers) {
-    const OwnFolder folder;
+    const TestFolder folder;
     std::ofstream(folder.path() / "every attribute.glb") << "old";
     write_glb(folder.path(), with_every_attribute());
     write_glb(folder.path(), with_every_attribute());
@@ -304,7 +281,7 @@ TEST(GlbWriter, ReplacesOldFilesAndLeavesNoOthers) {
 }
 
 TEST(GlbWriter, WritesTheSameBytesEveryTime) {
-    const OwnFolder folder;
+    const TestFolder folder;
     write_glb(folder.path(), with_every_attribute());
     const std::string once = content(folder.path() / "every attribute.glb");
     write_glb(folder.path(), with_every_attribute());
@@ -321,7 +298,7 @@ TEST(GlbWriter, NamesTheFileThatItCannotWrite) {
 }
 
 TEST(GlbWriter, RefusesNamesThatAreNotFileNames) {
-    const OwnFolder folder;
+    const TestFolder folder;
     for (const std::string& name :
          {std::string(), std::string("a/b"), std::string(".."), std::string("\xFF")}) {
         Loaded loaded = with_every_attribute();
@@ -343,7 +320,7 @@ TEST(GlbWriter, ReplacesWhatIsNotUtf8InNamesOfMaterials) {
 }
 
 TEST(GlbWriter, RefusesAnImageWhoseTexelsDoNotFitItsSize) {
-    const OwnFolder folder;
+    const TestFolder folder;
     Loaded loaded = with_every_attribute();
     loaded.scene.images[0].width = 4;
     EXPECT_THROW(write_glb(folder.path(), loaded), SceneError);

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "scenes/cryptomatte.h"
 #include "scenes/label_file.h"
 #include "scenes/scene_error.h"
+#include "tests/support/test_folder.h"
 
 namespace zproof {
 namespace {
@@ -94,20 +94,18 @@ TEST(Cryptomatte, GivesFloatsThatAreFiniteAndNormal) {
 
 class ALabelFile : public testing::Test {
   protected:
-    ~ALabelFile() override { std::filesystem::remove(file); }
     Labels read(const std::string& text) const {
-        std::ofstream(file) << text;
-        return label_triangles(file, bicycle()).of_triangle;
+        return label_triangles(folder.write("labels.json", text), bicycle()).of_triangle;
     }
     std::string refusal_of(const std::string& text) const {
         try {
             read(text);
         } catch (const SceneError& e) {
-            return std::string(e.what()).substr(file.size() + 2);
+            return std::string(e.what()).substr((folder.path() / "labels.json").string().size() + 2);
         }
         return "";
     }
-    std::string file = testing::TempDir() + "labels.json";
+    TestFolder folder;
 };
 
 TEST_F(ALabelFile, ListsTrianglesOrRunsOfThem) {

@@ -13,33 +13,9 @@
 
 #include "scenes/gltf.h"
 #include "scenes/scene_error.h"
+#include "tests/support/test_folder.h"
 
 namespace zproof {
-
-/// A folder that lives as long as the test, named after it.
-class TestFolder {
-  public:
-    TestFolder() {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        path_ = std::filesystem::path(testing::TempDir()) /
-                (std::string("zproof-") + test->test_suite_name() + "-" + test->name());
-        std::filesystem::remove_all(path_);
-        std::filesystem::create_directories(path_);
-    }
-    ~TestFolder() { std::filesystem::remove_all(path_); }
-    TestFolder(const TestFolder&) = delete;
-    TestFolder& operator=(const TestFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-    std::filesystem::path write(const std::string& name, const std::string& content) const {
-        std::ofstream(path_ / name, std::ios::binary) << content;
-        return path_ / name;
-    }
-
-  private:
-    std::filesystem::path path_;
-};
 
 /// A glTF in the making: buffer 0 lies in scene.bin; every add_ gives the accessor's index.
 class WrittenGltf {

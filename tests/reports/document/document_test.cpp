@@ -12,6 +12,7 @@
 #include "reports/document/page.h"
 #include "reports/document/terminal.h"
 #include "reports/page_scripts.h"
+#include "tests/support/test_folder.h"
 
 namespace zproof::document {
 namespace {
@@ -52,15 +53,8 @@ Document sample_document() {
 
 class DocumentFolder : public testing::Test {
   protected:
-    DocumentFolder()
-        : folder_(
-              fs::path{testing::TempDir()} /
-              ("document-" + std::string{testing::UnitTest::GetInstance()->current_test_info()->name()})) {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    ~DocumentFolder() override { fs::remove_all(folder_); }
-    fs::path folder_;
+    const TestFolder own_folder_;
+    const fs::path folder_ = own_folder_.path();
 };
 
 TEST_F(DocumentFolder, ComesBackAsItWas) {
