@@ -44,7 +44,7 @@ class Allowed {
         const LocalBounds local = bounds_of_flat(view).at(perspective ? 1 / step.depth : -step.depth, 0);
         const double per_inverse_depth = perspective ? step.depth * step.depth : 1;
         return local.depth_relative * step.depth + local.depth_absolute +
-               local.inverse_depth_error * per_inverse_depth;
+               (local.inverse_depth_error + std::abs(local.inverse_depth_bias)) * per_inverse_depth;
     }
     double limit_of(const DepthLimit& limit) const {
         const TriangleBounds bounds =

@@ -32,7 +32,8 @@ Answer answer_at(const Frame& frame, const PixelCoord& place) {
 
 AnswerCheck check_answer(const FramePair& frames, const BoundedFrame& frame, const PixelCoord& place) {
     const Answer answer = answer_at(frame.frame, place);
-    if (is_invalid(answer, frames.scene.triangles.size(), frames.view.camera))
+    if (is_invalid(answer, frames.scene.triangles.size(), frames.view.camera) ||
+        (answer.camera_depth < 0 && frame.bounds.near_depth() >= 0))
         return {.answer = answer, .is_invalid = true};
     const DepthCheck depth = check_depth_of(frames, frame, answer, place);
     return {answer, false, depth.is_admissible, depth.error_over_bound};

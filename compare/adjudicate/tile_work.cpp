@@ -147,6 +147,7 @@ double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult
         first_reach * around_.eps_px;  // edges are moved inwards by eps in a square of eps
     if (reach_px > searched_px) return reach_px;
     around_.is_watertight = query.bounds->is_watertight();
+    around_.view.camera.near_depth = query.bounds->near_depth();
     gather(reach_px);
     if (query.bounds->clips_at_sides() && reaches_a_side())
         std::erase_if(around_.neighbours,

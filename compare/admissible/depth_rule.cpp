@@ -57,7 +57,7 @@ bool is_admissible_depth(const View& view, const ViewBounds& bounds, const Corne
     const auto decide = [&]<class Number>(Number) {
         const auto image = image_of(ViewRay<Number>(view, place.x, place.y), corners<Number>(p_world));
         if (!image) return true;
-        const Number inverse_depth = image->inverse_depth.c, s(shift);
+        const Number inverse_depth = image->inverse_depth.c + Number(n.bounds.inverse_depth_bias), s(shift);
         return (limits.is_at_farthest ||
                 is_not_too_near<Number>(inverse_depth + s, n.bounds, depth, projection)) &&
                (limits.is_at_nearest ||

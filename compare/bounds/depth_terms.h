@@ -26,6 +26,7 @@ struct DepthTerms {
     double eps_base_px, eps_per_inverse_depth;
     double factor, absolute;
     double inverse_depth_error, plane_offset;
+    double inverse_depth_bias = 0;
 };
 
 /// 1 / (1 - sum) - 1: what factors and divisors whose relative errors add up to `sum` may come to (Higham
