@@ -87,10 +87,8 @@ std::optional<Weights> EmulatedEdges::rounded_at(const glm::dvec2& p_raster) con
     Weights weights;
     for (std::size_t i = 0; i < 3; ++i) {
         const WindowPoint &from = piece_[(i + 1) % 3], &to = piece_[(i + 2) % 3], &opposite = piece_[i];
-        // with coefficients every edge function is 1 at the opposite corner by its own value there
-        const T area = precision_.edge_functions == EdgeFunctions::window_coefficients
-                           ? edge<T>(from, to, opposite.x_snapped, opposite.y_snapped)
-                           : T(area_);
+        // two weights may have areas of their own, each the edge function at the corner opposite
+        const T area = is_remainder ? edge<T>(from, to, opposite.x_snapped, opposite.y_snapped) : T(area_);
         const T weight = is_remainder && i == 2
                              ? (T(1) - T(weights[0])) - T(weights[1])
                              : edge<T>(from, to, p_raster.x, p_raster.y) / (area + epsilon);
