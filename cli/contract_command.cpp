@@ -23,6 +23,8 @@ namespace {
 /// projection whose view rays do not run along the view axis: together they tell apart what a renderer
 /// can mistake in the contract. The picture is not square, so that width and height cannot be exchanged.
 constexpr std::array contract_scenes{"room", "off_axis", "oblique"};
+/// A parallel view may begin behind its eye, which many renderers forget.
+constexpr const char* scene_around_the_eye = "orthographic";
 constexpr Resolution picture_size{.width = 160, .height = 100};
 
 /// What came of the contract's scenes so far; the worst of it is the exit status.
@@ -44,6 +46,15 @@ std::string in_words(const Scene& scene, const CandidateFrame& candidate, const 
     return text;
 }
 
+/// Would the frame be right if nothing were asked of it behind the eye?
+bool is_right_before_the_eye(const Scene& scene, const View& view, const RenderedFrame& candidate,
+                             const Renderer& embree) {
+    if (!(view.camera.near_depth < 0)) return false;
+    View ahead = view;
+    ahead.camera.near_depth = 0;
+    return defect_count(judge(scene, ahead, candidate, {embree.render(ahead), embree.precision})) == 0;
+}
+
 /// One picture: what came of it, in words that end a line.
 std::string judged(const Scene& scene, const View& view, const Renderer& renderer, ContractTally& tally) {
     const Renderer embree = open({.who = BuiltIn{"embree"}, .precision_word = {}}, scene);
@@ -52,8 +63,15 @@ std::string judged(const Scene& scene, const View& view, const Renderer& rendere
     const RenderedFrame ours{candidate.frame, renderer.precision}, theirs{reference, embree.precision};
     const Verdict verdict = judge(scene, view, ours, theirs);
     if (defect_count(verdict) == 0) return "kept\n";
-    const std::optional<Diagnosis> diagnosis = diagnose(scene, view, ours, theirs, verdict);
     ++tally.wrong;
+    if (is_right_before_the_eye(scene, view, ours, embree)) {
+        ++tally.causes["what lies behind the eye of a parallel view is not drawn"];
+        return counted(defect_count(verdict), "pixel") +
+               " wrong\n    near lies behind the eye of this parallel view, and what lies there is missing; "
+               "a "
+               "rasterizer that means\n    to leave it out declares \"nothing_behind_the_eye\": true\n";
+    }
+    const std::optional<Diagnosis> diagnosis = diagnose(scene, view, ours, theirs, verdict);
     if (diagnosis && diagnosis->cause) ++tally.causes[diagnosis->cause->name];
     return in_words(scene, candidate, verdict, diagnosis) + "\n";
 }
@@ -81,10 +99,25 @@ void check_views(const Loaded& loaded, const ContractCheckArguments& arguments, 
     }
 }
 
+/// The last of a scene's parallel views, with its eye moved on to the middle of what it sees.
+Loaded around_the_eye() {
+    Loaded loaded = generate_suite_scene(scene_around_the_eye, picture_size.width, picture_size.height);
+    View view = loaded.views.back();
+    view.name = "behind-the-eye";
+    Camera& c = view.camera;
+    const float middle = 96;  // the town lies at depths from 60 to 150
+    c.eye_world -= middle * glm::vec3(c.back);
+    c.near_depth -= middle;
+    c.far_depth -= middle;
+    loaded.views = {view};
+    return loaded;
+}
+
 std::vector<Loaded> load_contract_scenes() {
     std::vector<Loaded> scenes;
     for (const char* name : contract_scenes)
         scenes.push_back(generate_suite_scene(name, picture_size.width, picture_size.height));
+    scenes.push_back(around_the_eye());
     return scenes;
 }
 

@@ -73,7 +73,7 @@ void visit_fields(PlaneRayPrecision& p, const Visit& visit) {
 template <class Visit>
 void visit_fields(BoundedPrecision& p, const Visit& visit) {
     visit("eps_px", p.eps_px, positive_length);
-    visit("depth_relative", p.depth_relative, share);
+    visit("depth_relative", p.depth_relative, length);  // a depth may be several times the true one
     visit("depth_absolute", p.depth_absolute, length);
     visit("depth_of_range", p.depth_of_range, share);
     visit("watertight", p.watertight);

@@ -20,6 +20,12 @@ class Allowed {
 
     bool is_raster() const { return raster_ != nullptr; }
     bool is_watertight() const { return zproof::is_watertight(precision_); }
+    /// Is a sample on a shared edge one triangle's alone? Integer edge functions have a fill rule; tests that
+    /// are closed, or of which nothing is known, meet both triangles and keep one.
+    bool has_single_owners() const {
+        return raster_ && raster_->edge_functions == EdgeFunctions::exact &&
+               raster_->barycentric_tolerance == 0;
+    }
     /// The declared grid; nothing where none is.
     std::optional<int> subpixel_bits() const {
         return raster_ && raster_->snap != Snap::none ? std::optional(raster_->subpixel_bits) : std::nullopt;
@@ -38,7 +44,7 @@ class Allowed {
         const LocalBounds local = bounds_of_flat(view).at(perspective ? 1 / step.depth : -step.depth, 0);
         const double per_inverse_depth = perspective ? step.depth * step.depth : 1;
         return local.depth_relative * step.depth + local.depth_absolute +
-               local.inverse_depth_error * per_inverse_depth;
+               (local.inverse_depth_error + std::abs(local.inverse_depth_bias)) * per_inverse_depth;
     }
     double limit_of(const DepthLimit& limit) const {
         const TriangleBounds bounds =
@@ -225,14 +231,14 @@ bool has_single_owners(const FillSides& fill) {
 }
 
 void Findings::add_fill(const FillSides& fill) {
-    const bool single = has_single_owners(fill);
+    const bool single = has_single_owners(fill), is_promised = allowed_.has_single_owners();
     list_.push_back({"fill_side",
                      "edges that own centres on them",
                      {},
                      "",
                      fill_in_words(fill) + (single ? "" : ": not one owner each"),
-                     "one owner each",
-                     conformity_of(!single)});
+                     is_promised ? "one owner each" : "",
+                     is_promised ? conformity_of(!single) : Conformity::undeclared});
 }
 
 void Findings::add_watertightness(const Watertightness& w) {
@@ -240,8 +246,9 @@ void Findings::add_watertightness(const Watertightness& w) {
     const std::string of = "of " + std::to_string(w.pixels) + " pixels of closed meshes";
     list_.push_back({"holes", "holes", count(w.holes), "", of, "0",
                      conformity_of(w.holes > 0 && allowed_.is_watertight())});
-    list_.push_back(
-        {"double_hits", "double hits", count(w.double_hits), "", of, "0", conformity_of(w.double_hits > 0)});
+    const bool is_promised = allowed_.has_single_owners();
+    list_.push_back({"double_hits", "double hits", count(w.double_hits), "", of, is_promised ? "0" : "",
+                     is_promised ? conformity_of(w.double_hits > 0) : Conformity::undeclared});
 }
 
 std::string in_projection(Projection projection) {

@@ -34,7 +34,9 @@ AnswerCheck check_answer(const FramePair& frames, const BoundedFrame& frame, con
     const Answer answer = answer_at(frame.frame, place);
     if (is_invalid(answer, frames.scene.triangles.size())) return {.answer = answer, .is_invalid = true};
     const DepthCheck depth = check_depth_of(frames, frame, answer, place);
-    const bool is_no_depth = !depth.is_admissible && is_behind_the_eye(answer.camera_depth, frames.view);
+    // a renderer that draws nothing behind the eye gives no depth there, whatever the view shows
+    const bool is_no_depth = answer.camera_depth < 0 && frame.bounds.near_depth() >= 0 &&
+                             (!depth.is_admissible || frames.view.camera.near_depth < 0);
     return {answer, is_no_depth, depth.is_admissible, depth.error_over_bound};
 }
 

@@ -141,6 +141,7 @@ double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult
     if (around_.eps_px > searched_px) return around_.eps_px;
     around_.is_watertight = query.bounds->is_watertight();
     around_.cuts_triangles = query.bounds->cuts_triangles();
+    around_.view.camera.near_depth = query.bounds->near_depth();
     gather(around_.eps_px);
     if (query.bounds->clips_at_sides() && reaches_a_side())
         std::erase_if(around_.neighbours,

@@ -30,18 +30,29 @@ bool is_not_too_far(const Number& inverse_depth, const LocalBounds& local, float
     return sign(inverse_depth) <= 0 || sign((one + r) - (z - a) * inverse_depth) >= 0;
 }
 
-/// Where a renderer keeps to the corners' depths, the admissible interval is clamped to them.
+/// What the corners' depths say, by themselves, of a depth between them.
 struct CornerLimits {
-    bool is_beyond = false;                              ///< the depth is none that such a renderer gives
+    bool is_beyond = false;                              ///< it is none that a mean of them may be
     bool is_at_farthest = false, is_at_nearest = false;  ///< admissible whatever the plane says on that side
 };
 
-CornerLimits corner_limits(const Neighbour& n, double z) {
-    const double r = n.bounds.depth_relative, a = n.bounds.depth_absolute;
-    return {.is_beyond = !(z >= n.nearest - std::abs(n.nearest) * r - a &&
-                           z <= n.farthest + std::abs(n.farthest) * r + a),
+CornerLimits corner_limits(const Neighbour& n, Projection projection, double z) {
+    const double r = n.bounds.depth_relative, a = n.bounds.depth_absolute, e = n.bounds.inverse_depth_error;
+    const bool perspective = projection == Projection::perspective;
+    const double nearest = perspective ? n.nearest / (1 + e * n.nearest) : n.nearest - e;
+    const double share = 1 - e * n.farthest, beyond = share > 0 ? n.farthest / share : unlimited;
+    const double farthest = perspective ? beyond : n.farthest + e;
+    return {.is_beyond =
+                !(z >= nearest - std::abs(nearest) * r - a && z <= farthest + std::abs(farthest) * r + a),
             .is_at_farthest = z >= n.farthest - std::abs(n.farthest) * r - a,
             .is_at_nearest = z <= n.nearest + std::abs(n.nearest) * r + a};
+}
+
+/// Of a depth that nothing else bounds: may a pixel show it that is cut by near and far?
+bool is_between_planes(const Camera& camera, const ViewBounds& bounds, const Neighbour& n, double z) {
+    if (z < 0 && camera.near_depth >= 0) return false;
+    return !bounds.cuts_by_depth() ||
+           (z >= bounds.near_depth() - n.near_slack && z <= camera.far_depth + n.far_slack);
 }
 
 bool is_admissible_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world,
@@ -49,17 +60,20 @@ bool is_admissible_depth(const View& view, const ViewBounds& bounds, const Corne
     const Neighbour n = neighbour_of(ViewRay<double>(view, place.x, place.y), bounds, p_world);
     const Projection projection = view.camera.projection;
     if (!(depth >= std::numeric_limits<float>::lowest())) return false;  // NaN, or -infinity
-    const bool keeps = bounds.keeps_to_corners(), may_be_any = depth >= 0 || view.camera.near_depth < 0;
     if (!std::isfinite(n.bounds.depth_relative + n.bounds.depth_absolute + n.bounds.inverse_depth_error))
-        return may_be_any;
-    const CornerLimits limits = keeps ? corner_limits(n, depth) : CornerLimits{};
+        return is_between_planes(view.camera, bounds, n, depth);
+    const CornerLimits of_corners = corner_limits(n, projection, depth);
+    const CornerLimits limits = bounds.keeps_to_corners() ? of_corners : CornerLimits{};
     if (limits.is_beyond) return false;
-    if (!n.is_plane_known) return keeps || may_be_any;  // the corners alone say
-    const double shift = n.bounds.depth_eps_px * n.gradient + n.bounds.inverse_depth_error;
+    if (!n.is_plane_known && bounds.keeps_to_corners()) return true;  // the corners alone say
     const auto decide = [&]<class Number>(Number) {
         const auto image = image_of(ViewRay<Number>(view, place.x, place.y), corners<Number>(p_world));
-        if (!image) return keeps || may_be_any;
-        const Number inverse_depth = image->inverse_depth.c, s(shift);
+        if (!image)
+            return !of_corners.is_beyond;  // edge-on: any renderer that draws it shows a mean of its corners
+        const Affine<Number>& plane = image->inverse_depth;
+        const Number inverse_depth = plane.c + Number(n.bounds.inverse_depth_bias);
+        const Number s = Number(n.bounds.depth_eps_px) * (magnitude(plane.a) + magnitude(plane.b)) +
+                         Number(n.bounds.inverse_depth_error);
         if (std::isinf(depth)) return projection == Projection::perspective && sign(inverse_depth - s) <= 0;
         return (limits.is_at_farthest ||
                 is_not_too_near<Number>(inverse_depth + s, n.bounds, depth, projection)) &&

@@ -116,6 +116,7 @@ Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewB
     Neighbourhood around{view,       search_pixel.x,         search_pixel.y,
                          own_eps_px, bounds.is_watertight(), bounds.cuts_triangles(),
                          {}};
+    around.view.camera.near_depth = bounds.near_depth();
     for (const std::uint32_t triangle : search_pixel.triangles) {
         Neighbour& n = around.neighbours.emplace_back(neighbour_of(ray, bounds, corners_of(scene, triangle)));
         n.triangle = triangle;

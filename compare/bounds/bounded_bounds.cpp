@@ -6,9 +6,7 @@ namespace zproof {
 
 BoundedBounds::BoundedBounds(const ViewFacts& facts, const BoundedPrecision& precision)
     : precision_(precision) {
-    const Camera& c = facts.view.camera;
-    const double of_range = precision.depth_of_range;
-    depth_absolute_ = precision.depth_absolute + (of_range > 0 ? of_range * (c.far_depth - c.near_depth) : 0);
+    depth_absolute_ = precision.depth_absolute + depth_of_range(facts.view.camera, precision.depth_of_range);
 }
 
 TriangleBounds BoundedBounds::of(const ViewFacts& facts, const TriangleExtent&) const {

@@ -11,6 +11,11 @@ RayBounds for_kind(const ViewFacts& facts, const RayPrecision& p) { return {fact
 PlaneRayBounds for_kind(const ViewFacts& facts, const PlaneRayPrecision& p) { return {facts, p}; }
 BoundedBounds for_kind(const ViewFacts& facts, const BoundedPrecision& p) { return {facts, p}; }
 
+bool ends_at_the_eye(const Precision& precision) {
+    const auto* raster = std::get_if<RasterPrecision>(&precision);
+    return raster != nullptr && raster->nothing_behind_the_eye;
+}
+
 }  // namespace
 
 Precision shown_precision(const Precision& precision) {
@@ -32,6 +37,8 @@ bool is_watertight(const Precision& precision) {
 
 ViewBounds::ViewBounds(const View& view, const Precision& precision)
     : facts_(view),
+      near_depth_(ends_at_the_eye(precision) ? std::max(view.camera.near_depth, 0.0)
+                                             : view.camera.near_depth),
       of_kind_(std::visit([&](const auto& p) -> OfKind { return for_kind(facts_, p); }, precision)) {}
 
 TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {
@@ -68,6 +75,11 @@ bool ViewBounds::is_watertight() const {
 bool ViewBounds::cuts_triangles() const {
     const auto* raster = std::get_if<RasterBounds>(&of_kind_);
     return raster ? !raster->is_homogeneous() : std::holds_alternative<BoundedBounds>(of_kind_);
+}
+
+bool ViewBounds::cuts_by_depth() const {
+    const auto* raster = std::get_if<RasterBounds>(&of_kind_);
+    return !raster || raster->is_homogeneous();
 }
 
 bool ViewBounds::clips_at_sides() const {

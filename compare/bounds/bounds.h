@@ -38,9 +38,13 @@ class ViewBounds {
     bool is_watertight() const;
     /// Does it make several triangles of one that near or far clips? A ray caster clips none.
     bool cuts_triangles() const;
+    /// Is every pixel's depth held against near and far?
+    bool cuts_by_depth() const;
     /// Does clipping put new edges on the image's sides?
     bool clips_at_sides() const;
     Projection projection() const { return facts_.view.camera.projection; }
+    /// The camera depth before which nothing is drawn.
+    double near_depth() const { return near_depth_; }
     /// Sums of the terms that the image's rays are made of, each in absolute value, at their largest.
     struct RaySize {
         double origin, direction;
@@ -64,6 +68,7 @@ class ViewBounds {
     using OfKind = std::variant<RasterBounds, RayBounds, PlaneRayBounds, BoundedBounds>;
 
     ViewFacts facts_;
+    double near_depth_;
     OfKind of_kind_;
 };
 

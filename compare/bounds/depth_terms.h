@@ -27,6 +27,7 @@ struct DepthTerms {
     double factor, absolute;
     double inverse_depth_error, plane_offset;
     double share = 0;  ///< relative error of depth beside its factors; not compounded
+    double inverse_depth_bias = 0;
 };
 
 /// 1 / (1 - sum) - 1: what factors and divisors whose relative errors add up to `sum` may come to (Higham
@@ -76,9 +77,11 @@ struct RayTerms {
         const double aim = aim_px + aim_px_per_depth * (largest_depth + start);
         // t = (v0 . n) / (d . n): 8 roundings in each product (3 of the dot, 5 of n), 4 of the reciprocal and
         // the product
-        const auto over_volume = [&](double sum_abs) {  // unlimited where the plane holds the origin
+        // unlimited where the plane holds the origin, but for zeros that no rounding can change
+        const double where_edge_on = t.plane.volume_abs > 0 ? unlimited : 0;
+        const auto over_volume = [&](double sum_abs) {
             const double share = of_products * sum_abs / t.plane.volume;
-            return t.plane.volume > 0 ? share : unlimited;
+            return t.plane.volume > 0 ? share : where_edge_on;
         };
         const double volume_factor = over_volume(t.plane.volume_abs);
         const double numerator_error = over_volume(t.plane.numerator_abs);

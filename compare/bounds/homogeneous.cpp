@@ -65,8 +65,9 @@ HomogeneousBounds homogeneous_bounds(const ViewFacts& facts, const TriangleExten
     }
     // nothing lies farther from anything in the image
     bounds.eps_px = std::min(bounds.eps_px, double(facts.view.width + facts.view.height));
-    bounds.inverse_depth_error = least > 0 ? sum / least : unlimited;
-    bounds.depth_factor = least > 0 ? of_six * terms / least : unlimited;
+    const double where_edge_on = terms > 0 ? unlimited : 0;  // 0 where all terms are zeros
+    bounds.inverse_depth_error = least > 0 ? sum / least : where_edge_on;
+    bounds.depth_factor = least > 0 ? of_six * terms / least : where_edge_on;
     return bounds;
 }
 

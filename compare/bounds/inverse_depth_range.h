@@ -27,7 +27,8 @@ inline InverseDepthRange on_plane(const PlaneHere& plane, const LocalBounds& bou
                                   const InverseDepthRange& corners, bool keeps_to_corners) {
     const double shift =
         bounds.depth_eps_px * (plane.gradient + plane.error) + plane.error + bounds.inverse_depth_error;
-    const double low = plane.inverse_depth - shift, high = plane.inverse_depth + shift;
+    const double middle = plane.inverse_depth + bounds.inverse_depth_bias;
+    const double low = middle - shift, high = middle + shift;
     const double least = std::clamp(low, corners.least, corners.greatest);
     const double greatest = std::clamp(high, least, corners.greatest);
     return {keeps_to_corners ? least : low, keeps_to_corners ? greatest : high};

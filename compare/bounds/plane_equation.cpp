@@ -1,6 +1,7 @@
 #include "compare/bounds/plane_equation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "compare/bounds/depth_terms.h"
@@ -153,6 +154,86 @@ class PlaneEquation {
     double rise1_, rise2_, z_max_, x_max_, y_max_;
 };
 
+/// What the weights of one triangle in the window err by.
+class WeightErrors {
+  public:
+    WeightErrors(const std::array<WindowCorner, 3>& corners, const EdgeShift& shift, const WeightForm& form)
+        : form_(form), drift_(shift.drift_px) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const WindowCorner &from = corners[i], &to = corners[(i + 1) % 3];
+            edge_[i] = {std::abs(to.x - from.x), std::abs(to.y - from.y)};
+        }
+        const auto& [p, q, r] = corners;
+        const double ahead = (p.x - q.x) * (r.y - p.y), across = (p.y - q.y) * (r.x - p.x);
+        const double moved = 2 * drift_ * (length(edge_[0]) + length(edge_[2])) + 8 * drift_ * drift_;
+        least_area_ = std::abs(ahead - across) - moved;
+        largest_area_ = std::abs(ahead - across) + moved;
+        if (!form.is_rounded()) return;
+        of_area_ = gamma(4, form.unit) * (std::abs(ahead) + std::abs(across) + moved);
+        // a point inside lies no farther from an edge's corner than the triangle reaches
+        const double reach = 2 * (drift_ + shift.edges_px);
+        const double x = std::max({edge_[0].x, edge_[1].x, edge_[2].x}) + reach,
+                     y = std::max({edge_[0].y, edge_[1].y, edge_[2].y}) + reach;
+        of_edge_.fill(gamma(4, form.unit) * 2 * x * y);
+        if (has_coefficients()) set_coefficients(corners);
+    }
+
+    double least_area_px2() const { return least_area_ / 2; }
+    /// A factor that all weights have in common.
+    double of_area() const { return is_remainder() ? 0 : of_quotient(); }
+    double of_weights() const {
+        const double sum = of_edge_[0] + of_edge_[1] + of_edge_[2];
+        return is_remainder() ? 2 * of_two_weights(sum - std::ranges::min(of_edge_)) : share(sum);
+    }
+    double edges_px() const {
+        double largest = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double own = has_coefficients() ? of_edge_[i] : 0, slope = length(edge_[i]) - 4 * drift_;
+            // the third weight's error is a share of the height; beyond the edge, the others err by more
+            const double others = of_two_weights(of_edge_[(i + 1) % 3] + of_edge_[(i + 2) % 3]);
+            const double error =
+                std::max(own, is_remainder() ? compounded(2 * others) / 2 * largest_area_ : 0);
+            if (error > 0) largest = std::max(largest, slope > 0 ? error / slope : unlimited);
+        }
+        return largest;
+    }
+
+  private:
+    static double length(const Vector2& v) { return v.x + v.y; }
+    /// a x + b y + c: a and b have 1 rounding, c has 2; 3 more at most on the way to the sum.
+    void set_coefficients(const std::array<WindowCorner, 3>& corners) {
+        const auto size = [&](const WindowCorner& p) {  // y may run down or up
+            return Vector2{std::abs(p.x) + drift_,
+                           std::max(std::abs(p.y), std::abs(form_.height - p.y)) + drift_};
+        };
+        const double rounding = gamma(4, form_.unit);
+        of_area_ = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vector2 from = size(corners[i]), to = size(corners[(i + 1) % 3]),
+                          opposite = size(corners[(i + 2) % 3]);
+            const double a = edge_[i].y + 2 * drift_, b = edge_[i].x + 2 * drift_,
+                         c = from.x * to.y + to.x * from.y;
+            of_edge_[i] = rounding * (a * form_.width + b * form_.height + c);
+            of_area_ = std::max(of_area_, rounding * (a * opposite.x + b * opposite.y + c));
+        }
+    }
+    bool has_coefficients() const { return form_.edge_functions == EdgeFunctions::window_coefficients; }
+    bool is_remainder() const { return form_.is_rounded() && form_.third_weight == ThirdWeight::remainder; }
+    double share(double error) const {
+        return error == 0 ? 0 : least_area_ > 0 ? error / least_area_ : unlimited;
+    }
+    double of_quotient() const { return share(of_area_ + 2 * form_.area_epsilon_px2); }
+    /// Both are at most 1 together: that share of them is their quotients' error, and 1 less them is rounded.
+    double of_two_weights(double of_edges) const {
+        return share(of_edges) + of_quotient() + gamma(3, form_.unit);
+    }
+
+    const WeightForm& form_;
+    double drift_, least_area_, largest_area_, of_area_ = 0;  ///< twice the areas
+    std::array<Vector2, 3> edge_;
+    std::array<double, 3> of_edge_{};
+};
+
 }  // namespace
 
 Window guard_band_of(const View& view) {
@@ -197,27 +278,18 @@ PlaneEquationBounds plane_equation_bounds(std::span<const WindowCorner> polygon,
     return worst;
 }
 
-WindowAreas window_areas(std::span<const WindowCorner> polygon, const EdgeShift& shift, double unit) {
+WindowAreas window_areas(std::span<const WindowCorner> polygon, const EdgeShift& shift,
+                         const WeightForm& form) {
     if (polygon.size() < 3) return {};
     WindowAreas areas{.least_px2 = unlimited};
-    const double drift = shift.drift_px;
-    const auto consider = [&](const WindowCorner& p, const WindowCorner& q, const WindowCorner& r) {
-        const Vector2 e1{p.x - q.x, p.y - q.y}, e2{r.x - p.x, r.y - p.y};
-        const double ahead = e1.x * e2.y, across = e1.y * e2.x;
-        const double around = std::abs(e1.x) + std::abs(e1.y) + std::abs(e2.x) + std::abs(e2.y);
-        const double moved = 2 * drift * around + 8 * drift * drift;
-        const double left = std::abs(ahead - across) - moved;
-        areas.least_px2 = std::min(areas.least_px2, left / 2);
-        const double terms = std::abs(ahead) + std::abs(across) + moved;
-        areas.of_area = std::max(areas.of_area, left > 0 ? gamma(4, unit) * terms / left : unlimited);
-        // a point inside lies no farther from an edge's corner than the triangle reaches
-        const double reach = 2 * (drift + shift.edges_px);
-        const Vector2 extent{std::max({std::abs(e1.x), std::abs(e2.x), std::abs(e1.x + e2.x)}) + reach,
-                             std::max({std::abs(e1.y), std::abs(e2.y), std::abs(e1.y + e2.y)}) + reach};
-        const double of_edges = gamma(4, unit) * 6 * extent.x * extent.y;  // three edges, two products each
-        areas.of_weights = std::max(areas.of_weights, left > 0 ? of_edges / left : unlimited);
-    };
-    for_each_triangle(polygon, consider);
+    for_each_triangle(polygon, [&](const WindowCorner& p, const WindowCorner& q, const WindowCorner& r) {
+        const WeightErrors errors({p, q, r}, shift, form);
+        areas.least_px2 = std::min(areas.least_px2, errors.least_area_px2());
+        areas.of_area = std::max(areas.of_area, errors.of_area());
+        areas.of_weights = std::max(areas.of_weights, errors.of_weights());
+        areas.edges_px = std::max(areas.edges_px, errors.edges_px());
+    });
+    areas.edges_px = std::min(areas.edges_px, form.width + form.height);
     return areas;
 }
 

@@ -6,6 +6,7 @@
 
 #include "compare/bounds/triangle_extent.h"
 #include "compare/bounds/z_range.h"
+#include "frame/precision.h"
 #include "scenes/view.h"
 
 namespace zproof {
@@ -52,12 +53,28 @@ struct EdgeShift {
     double edges_px = 0;  ///< of edge functions, beside that
 };
 
-/// The areas of the triangles that a polygon may be cut into.
+/// How the weights of a triangle in the window are made.
+struct WeightForm {
+    EdgeFunctions edge_functions;
+    ThirdWeight third_weight;
+    double unit;              ///< roundoff of their arithmetic
+    double area_epsilon_px2;  ///< is added to the area
+    double width, height;     ///< the image's
+
+    bool is_rounded() const {
+        return edge_functions == EdgeFunctions::from_corner ||
+               edge_functions == EdgeFunctions::window_coefficients;
+    }
+};
+
+/// The areas of the triangles that a polygon may be cut into, and what is made of them.
 struct WindowAreas {
     double least_px2 = 0;   ///< what displacement by the drift leaves of the smallest; not above 0: unknown
-    double of_area = 0;     ///< the largest relative error of an area that is rounded in `unit`
+    double of_area = 0;     ///< the largest relative error of an area, as a factor of all weights
     double of_weights = 0;  ///< the largest sum of the errors of a point's weights, inside the triangle
+    double edges_px = 0;    ///< displaces edges beside EdgeShift::edges_px, at most across the image
 };
-WindowAreas window_areas(std::span<const WindowCorner> polygon, const EdgeShift& shift, double unit);
+WindowAreas window_areas(std::span<const WindowCorner> polygon, const EdgeShift& shift,
+                         const WeightForm& form);
 
 }  // namespace zproof

@@ -87,6 +87,17 @@ bool RasterBounds::has_plain_depth() const {
            precision_.depth_interpolation == DepthInterpolation::barycentrics;
 }
 
+/// Is z kept in float64?
+bool RasterBounds::is_wide() const {
+    return precision_.depth_format == DepthFormat::float64 &&
+           precision_.depth_buffer != DepthBuffer::camera_depth;
+}
+
+/// A corner's z is a float32, but where z is kept as the transform has it.
+const Gammas& RasterBounds::gammas_of_z() const {
+    return is_wide() ? gammas_of(precision_.transform) : single_gammas;
+}
+
 bool RasterBounds::is_homogeneous() const { return precision_.edge_functions == EdgeFunctions::homogeneous; }
 
 bool RasterBounds::keeps_to_corners() const { return has_plain_depth() && has_plain_coverage(); }
@@ -144,6 +155,9 @@ TriangleBounds RasterBounds::of(const ViewFacts& facts, const TriangleExtent& ex
     if (!has_plain_depth()) set_z(bounds, facts, extent, polygon, transform);
     if (!has_plain_coverage()) add_coverage(bounds, facts, extent, polygon);
     if (is_homogeneous()) add_homogeneous(bounds, facts, extent, transform);
+    // pixels behind the eye are left out one by one, by their depths
+    if (precision_.nothing_behind_the_eye && facts.view.camera.near_depth < 0)
+        bounds.near_slack += bounds.inverse_depth_error;
     return bounds;
 }
 
@@ -160,13 +174,13 @@ PlaneEquationBounds RasterBounds::z_bounds(std::span<const WindowCorner> polygon
         bounds = plane_equation_bounds(polygon, shift, facts.view);
     } else {
         const double z_max = largest_z(polygon);
-        bounds.z_error = single_gammas[4] * std::max(z_max, shift.least_z_term) +
+        bounds.z_error = gammas_of_z()[4] * std::max(z_max, shift.least_z_term) +
                          gammas_of(precision_.interpolation)[8] * z_max;
     }
     if (precision_.depth_buffer != DepthBuffer::camera_depth) {
-        bounds.z_error += quantization_error(precision_.depth_format);
-        if (precision_.linearization == Arithmetic::float32)
-            bounds.z_error += single_gammas[6] * (std::abs(z.offset) + largest_z(polygon));
+        if (precision_.linearization == Arithmetic::float32 || is_wide())
+            bounds.z_error +=
+                gammas_of(precision_.linearization)[6] * (std::abs(z.offset) + largest_z(polygon));
     }
     return bounds;
 }
@@ -178,8 +192,14 @@ void RasterBounds::set_z(TriangleBounds& bounds, const ViewFacts& facts, const T
     const CornerShift shift{
         .snap_px = snap_px_, .drift_px = drift_px(bounds, polygon), .least_z_term = z.least_term};
     const auto [z_error, spread] = z_bounds(polygon, shift, facts, z);
+    const bool is_z = precision_.depth_buffer != DepthBuffer::camera_depth;
+    const bool are_weights = precision_.depth_interpolation == DepthInterpolation::barycentrics;
+    const auto [step, bias] =
+        quantization(is_z ? precision_ : RasterPrecision{}, largest_z(polygon),
+                     are_weights ? unit_of(precision_.interpolation) : unit_roundoff_float32);
     const double slope = std::abs(z.per_inverse_depth);
-    bounds.inverse_depth_error = slope > 0 ? z_error / slope : unlimited;
+    bounds.inverse_depth_error = slope > 0 ? (z_error + step) / slope : unlimited;
+    bounds.inverse_depth_bias = slope > 0 ? bias / z.per_inverse_depth : 0;
     bounds.depth_eps_base_px = snap_px_ + spread * (bounds.eps_base_px - snap_px_);
     bounds.depth_eps_per_inverse_depth = spread * bounds.eps_per_inverse_depth;
     if (facts.perspective && z.matrix_factor > 0) {
@@ -192,17 +212,24 @@ void RasterBounds::set_z(TriangleBounds& bounds, const ViewFacts& facts, const T
         bounds.far_slack += std::isfinite(c.far_depth) ? row * c.far_depth : 0;
     }
     if (facts.perspective || precision_.depth_buffer == DepthBuffer::camera_depth) return;
-    bounds.depth_absolute += single_gammas[6] * z.matrix_offset / slope;
-    bounds.near_slack = bounds.far_slack =
-        bounds.depth_absolute + bounds.inverse_depth_error + single_gammas[8] * extent.largest_depth();
+    bounds.depth_absolute += gammas_of_z()[6] * z.matrix_offset / slope;
+    bounds.near_slack = bounds.far_slack = bounds.depth_absolute + bounds.inverse_depth_error +
+                                           std::abs(bounds.inverse_depth_bias) +
+                                           gammas_of_z()[8] * extent.largest_depth();
 }
 
 void RasterBounds::add_coverage(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
                                 std::span<const WindowCorner> polygon) const {
     const double drift = snap_px_ + drift_px(bounds, polygon);
     const double edges = edge_functions_eps_px(facts, extent);
-    bounds.eps_base_px += edges + tolerance_eps_px(facts, extent);
-    const WindowAreas areas = window_areas(polygon, {drift, edges}, unit_of(precision_.edge_arithmetic));
+    const WindowAreas areas = window_areas(polygon, {drift, edges},
+                                           {.edge_functions = precision_.edge_functions,
+                                            .third_weight = precision_.third_weight,
+                                            .unit = unit_of(precision_.edge_arithmetic),
+                                            .area_epsilon_px2 = precision_.area_epsilon_px2,
+                                            .width = double(facts.view.width),
+                                            .height = double(facts.view.height)});
+    bounds.eps_base_px += std::max(edges, areas.edges_px) + tolerance_eps_px(facts, extent);
     if (precision_.depth_interpolation == DepthInterpolation::barycentrics)
         add_weights(bounds, facts, areas, polygon);
     if (precision_.least_area_px2 > 0)
@@ -212,20 +239,15 @@ void RasterBounds::add_coverage(TriangleBounds& bounds, const ViewFacts& facts, 
 /// Weights err, and may be negative where a point counts as inside by error or by tolerance.
 void RasterBounds::add_weights(TriangleBounds& bounds, const ViewFacts& facts, const WindowAreas& areas,
                                std::span<const WindowCorner> polygon) const {
-    const bool are_exact = precision_.edge_functions != EdgeFunctions::from_corner;
-    const double of_weights = are_exact ? 0 : areas.of_weights;
-    const double negative = 2 * (of_weights + 3 * precision_.barycentric_tolerance);
+    const double negative = 2 * (areas.of_weights + 3 * precision_.barycentric_tolerance);
     for (double* eps : {&bounds.depth_eps_base_px, &bounds.depth_eps_per_inverse_depth})
         if (*eps > 0) *eps *= 1 + negative;  // weights may be unlimited
     if (negative > 0) add_reach_beyond_planes(bounds, facts, polygon, negative);
-    double of_area = are_exact ? 0 : areas.of_area;
-    if (precision_.area_epsilon_px2 > 0)
-        of_area += areas.least_px2 > 0 ? precision_.area_epsilon_px2 / areas.least_px2 : unlimited;
     const double slope = std::abs(z_range(facts.view.camera, precision_).per_inverse_depth);
     // of a z-buffer's z it is a share of z, not of depth
     (has_plain_depth() ? bounds.depth_factor : bounds.inverse_depth_error) +=
-        has_plain_depth() || of_area == 0 ? of_area : of_area * largest_z(polygon) / slope;
-    if (of_weights > 0) bounds.inverse_depth_error += of_weights * largest_z(polygon) / slope;
+        has_plain_depth() || areas.of_area == 0 ? areas.of_area : areas.of_area * largest_z(polygon) / slope;
+    if (areas.of_weights > 0) bounds.inverse_depth_error += areas.of_weights * largest_z(polygon) / slope;
 }
 
 /// Weights of which some are negative, by `negative` in all, reach beyond the sides that near and far made.
@@ -276,10 +298,11 @@ double RasterBounds::edge_functions_eps_px(const ViewFacts& facts, const Triangl
     switch (precision_.edge_functions) {
         case EdgeFunctions::exact:
             return 0;
-        case EdgeFunctions::window_coefficients:
         case EdgeFunctions::from_corner:
             // 4 roundings of (x - x0) dy - (y - y0) dx, over |dx| + |dy|: a share of the larger difference
             return gammas_of(unit)[4] * reach_px(facts, extent, reach_limit_px(facts));
+        case EdgeFunctions::window_coefficients:
+            return 0;  // window_areas() has them
         case EdgeFunctions::homogeneous:
             return 0;  // add_homogeneous() has them
     }

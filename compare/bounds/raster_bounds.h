@@ -5,6 +5,7 @@
 #include <span>
 
 #include "compare/bounds/plane_equation.h"
+#include "compare/bounds/roundings.h"
 #include "compare/bounds/triangle_bounds.h"
 #include "compare/bounds/view_facts.h"
 #include "frame/precision.h"
@@ -54,6 +55,8 @@ class RasterBounds {
     /// Adds what edge functions and depth err by where nothing is divided before. `transform` as above.
     void add_homogeneous(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
                          double transform) const;
+    bool is_wide() const;
+    const Gammas& gammas_of_z() const;
     bool has_plain_coverage() const;
     bool has_plain_depth() const;
 

@@ -75,7 +75,9 @@ RayBounds::RayBounds(const ViewFacts& facts, const RayPrecision& precision)
              .aim_px = aim_.px,
              .aim_px_per_depth = aim_.px_per_depth,
              .aim_absolute = aim_.depth_absolute,
-             .start = facts.start} {}
+             .start = facts.start} {
+    terms_.aim_absolute += depth_of_range(facts.view.camera, precision.depth_of_range);
+}
 
 /// Frames hold float32: a wider depth is rounded once more on its way there.
 double RayBounds::framing() const {

@@ -11,6 +11,7 @@ TriangleBounds bounds_of(const DepthTerms& terms) {
     bounds.depth_absolute = terms.absolute;
     bounds.inverse_depth_error = terms.inverse_depth_error;
     bounds.plane_offset = terms.plane_offset;
+    bounds.inverse_depth_bias = terms.inverse_depth_bias;
     return bounds;
 }
 
@@ -26,6 +27,7 @@ BoundsOnPlane::BoundsOnPlane(const TriangleBounds& b, double gradient)
       plane_offset_(b.plane_offset),
       depth_relative_(compounded(b.depth_factor) + b.depth_share),
       depth_absolute_(b.depth_absolute),
-      inverse_depth_error_(b.inverse_depth_error) {}
+      inverse_depth_error_(b.inverse_depth_error),
+      inverse_depth_bias_(b.inverse_depth_bias) {}
 
 }  // namespace zproof

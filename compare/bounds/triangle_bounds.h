@@ -15,6 +15,7 @@ struct LocalBounds {
     double depth_relative = 0;  ///< delta: relative error of depth; infinite where the plane is not known
     double depth_absolute = 0;  ///< alpha: absolute error of depth, scene units
     double inverse_depth_error = 0;  ///< of inverse depth itself; unlimited where the plane is not known
+    double inverse_depth_bias = 0;   ///< how far from the truth that error is centred: z that is cut off
 };
 
 /// The bounds of one triangle, as functions of its inverse depth (1/depth; perspective) at the pixel.
@@ -25,6 +26,7 @@ struct TriangleBounds {
     double depth_share = 0;   ///< a further relative error of depth, as a share of itself
     double depth_absolute = 0;
     double inverse_depth_error = 0;        ///< z-buffer: of inverse depth, anywhere on the triangle
+    double inverse_depth_bias = 0;         ///< z-buffer: what z that is cut off adds on average
     double plane_offset = 0;               ///< ray: error of (normal . direction) / volume, in inverse depth
     double near_slack = 0, far_slack = 0;  ///< clip: the planes' places may be off by this depth, scene units
     double nearest = 0, farthest = 0;      ///< camera depths of the corners, clamped to near and far
@@ -36,7 +38,7 @@ struct TriangleBounds {
     DepthTerms depth_terms() const {
         return {depth_eps_base_px, depth_eps_per_inverse_depth, depth_factor,
                 depth_absolute,    inverse_depth_error,         plane_offset,
-                depth_share};
+                depth_share,       inverse_depth_bias};
     }
 };
 
@@ -53,13 +55,15 @@ class BoundsOnPlane {
                 .depth_relative =
                     plane_offset_ > 0 ? compounded(depth_factor_ + plane_offset_ / here) : depth_relative_,
                 .depth_absolute = depth_absolute_,
-                .inverse_depth_error = inverse_depth_error_};
+                .inverse_depth_error = inverse_depth_error_,
+                .inverse_depth_bias = inverse_depth_bias_};
     }
 
   private:
     CornerInverseDepth corners_;
     Displacement eps_px_, depth_eps_px_;
-    double depth_factor_, plane_offset_, depth_relative_, depth_absolute_, inverse_depth_error_;
+    double depth_factor_, plane_offset_, depth_relative_, depth_absolute_, inverse_depth_error_,
+        inverse_depth_bias_;
 };
 
 /// Bounds of which only depth's terms are known; coverage is displaced as far as depth.

@@ -24,6 +24,7 @@ TriangleDepth::TriangleDepth(const TriangleInView& triangle, const ViewBounds& o
     relative_ = compounded(terms.factor) + terms.share;
     absolute_ = terms.absolute;
     inverse_depth_error_ = terms.inverse_depth_error;
+    inverse_depth_bias_ = terms.inverse_depth_bias;
     nearest_ = corners.nearest;
     farthest_ = corners.farthest;
     least_depth_ = of_view.keeps_to_corners() ? nearest_ : -unlimited;

@@ -37,6 +37,7 @@ class TriangleDepth {
     DepthBound at(int x, int y) const { return rounded(range_at(x, y)); }
     /// Does the interval hold this depth by more than our own rounding?
     bool certainly_holds(const DepthBound& bound, float depth) const {
+        if (!(bound.high < unlimited)) return false;
         const bool perspective = projection_ == Projection::perspective;
         const double error = is_edge_on_ ? 0 : own_error_;
         return perspective ? holds<Projection::perspective>(bound, depth, error)
@@ -103,10 +104,9 @@ class TriangleDepth {
         const double inverse_depth = inverse_depth_.at(x, y),
                      here = held_between(inverse_depth, corners_.least, corners_.highest);
         const double shift = eps_px_.at(here) * gradient_ + inverse_depth_error_;
-        const double low = held_between(depth_of<projection>(inverse_depth + shift), least_depth_,
-                                        greatest_depth_),
-                     high = held_between(depth_of<projection>(inverse_depth - shift), least_depth_,
-                                         greatest_depth_);
+        const double middle = inverse_depth + inverse_depth_bias_;
+        const double low = held_between(depth_of<projection>(middle + shift), least_depth_, greatest_depth_),
+                     high = held_between(depth_of<projection>(middle - shift), least_depth_, greatest_depth_);
         return {low, held_between(depth_of<projection>(inverse_depth), low, high), high,
                 relative_at<relative>(here)};
     }
@@ -128,7 +128,8 @@ class TriangleDepth {
     double gradient_ = 0, own_error_ = 0;
     CornerInverseDepth corners_;
     Displacement eps_px_;
-    double factor_ = 0, plane_offset_ = 0, relative_ = 0, absolute_ = 0, inverse_depth_error_ = 0;
+    double factor_ = 0, plane_offset_ = 0, relative_ = 0, absolute_ = 0, inverse_depth_error_ = 0,
+           inverse_depth_bias_ = 0;
     double nearest_ = 0, farthest_ = 0;            ///< camera depths of the corners
     double least_depth_ = 0, greatest_depth_ = 0;  ///< the same, where the renderer keeps to them
     Projection projection_ = Projection::perspective;

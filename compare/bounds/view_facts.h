@@ -7,6 +7,11 @@
 
 namespace zproof {
 
+/// A share of far - near; nothing is known without a finite far.
+inline double depth_of_range(const Camera& c, double share) {
+    return share > 0 ? share * (c.far_depth - c.near_depth) : 0;
+}
+
 struct ViewFacts {
     explicit ViewFacts(const View& view);
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "math/rounding.h"
+
 namespace zproof {
 
 namespace {
@@ -37,7 +39,7 @@ ZRange z_range(const Camera& camera, const RasterPrecision& precision) {
     return z;
 }
 
-double quantization_error(DepthFormat format) {
+double step_of_z(DepthFormat format) {
     switch (format) {
         case DepthFormat::float32:
         case DepthFormat::float64:
@@ -50,6 +52,23 @@ double quantization_error(DepthFormat format) {
             return 1 / (std::exp2(32) - 1);
     }
     return 0;
+}
+
+Quantization quantization(const RasterPrecision& precision, double z_max, double unit) {
+    const double step = step_of_z(precision.depth_format);
+    if (step == 0) return {};
+    // z times the number of steps is rounded, and so is that number of 32 bits; the nearest is found by
+    // adding 1/2
+    const int scaling = precision.depth_format == DepthFormat::unorm32 ? 2 : 1;
+    switch (precision.depth_rounding) {
+        case DepthRounding::either:
+            return {.error = step};
+        case DepthRounding::nearest:
+            return {.error = step / 2 + gamma(scaling + 1, unit) * (z_max + step)};
+        case DepthRounding::truncate:
+            return {.error = step / 2 + gamma(scaling, unit) * z_max, .bias = -step / 2};
+    }
+    return {};
 }
 
 }  // namespace zproof

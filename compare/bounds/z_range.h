@@ -22,7 +22,14 @@ struct ZRange {
 /// Parallel projections need a finite far for the others; NaN without.
 ZRange z_range(const Camera& camera, const RasterPrecision& precision);
 
-/// The largest error of storing z, in [0, 1].
-double quantization_error(DepthFormat format);
+/// A step of z in [0, 1]; 0 where a float is stored.
+double step_of_z(DepthFormat format);
+
+/// What storing z does to it: at most `error` beside z + bias.
+struct Quantization {
+    double error = 0, bias = 0;
+};
+/// Of a z of at most z_max, made into a step in arithmetic of this roundoff.
+Quantization quantization(const RasterPrecision& precision, double z_max, double unit);
 
 }  // namespace zproof

@@ -31,8 +31,7 @@ double rounded_up(double value) {
 }
 
 double promised_relative(double error) {
-    const double least = std::max(error, std::ldexp(1.0, least_octave));
-    return rounded_up(least / (1 + least));
+    return rounded_up(std::max(error, std::ldexp(1.0, least_octave)));
 }
 
 std::vector<PixelCoord> defects_under(const BoundedPrecision& promise, const Scene& scene, const View& view,

@@ -15,7 +15,7 @@ namespace zproof::measure {
 double rounded_up(double value);
 
 /// The depth_relative that a promise must name for depths that err by this share: at least 2^least_octave,
-/// rounded up. The judge compounds what is promised (docs/bounds.md).
+/// rounded up.
 double promised_relative(double error);
 
 /// The pixels that the judge calls defects under the promise. It is asked about every pixel, against a

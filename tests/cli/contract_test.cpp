@@ -76,6 +76,19 @@ INSTANTIATE_TEST_SUITE_P(Contract, WrongFrames,
                                          WrongFrame{"one_nan", "depth is not a number"}),
                          [](const auto& c) { return std::string{c.param.fault}; });
 
+TEST(Contract, WhatLiesBehindTheEyeIsAskedForAndToldWhereItIsMissing) {
+    const Folder folder;
+    const std::string command = faulty("nothing_behind_the_eye");
+    const Ran ran = checked(folder, command);
+    EXPECT_EQ(ran.exit_code, 1) << ran.out << ran.err;
+    EXPECT_NE(ran.out.find("near lies behind the eye of this parallel view"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("\"nothing_behind_the_eye\": true"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("8 pictures: 1 wrong, 0 missing."), std::string::npos) << ran.out;
+    const Ran declaring =
+        run(folder, {"contract-check", command, "--precision", declared + ",nothing_behind_the_eye=true"});
+    EXPECT_EQ(declaring.exit_code, 0) << declaring.out << declaring.err;
+}
+
 /// No frame at all.
 struct NoFrame {
     const char* fault;

@@ -66,6 +66,7 @@ const std::vector<Case> cases{
     {"Proven", {"run", "one.gltf"}, 0, "proven"},
     {"Measure", {"measure", "zproof"}, 0, "zproof: as declared"},
     {"MeasureForPrograms", {"measure", "zproof", "--json"}, 0, "\"subpixel_bits_x\""},
+    {"MeasureEmbree", {"measure", "embree"}, 0, "embree: as declared"},
     {"MeasureOpenGl", {"measure", "opengl"}, 0, "opengl: as declared"},
     {"Fit", {"fit", "one.gltf", "--width", "64", "--height", "48"}, 0, "explains every pixel"},
     {"FitAWrongView", {"fit", "one.gltf", "--view", "nix"}, 2, "say which with --view"},

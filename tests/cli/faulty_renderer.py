@@ -47,6 +47,10 @@ def one_nan(frame, camera):
     frame.depth[5 * frame.width + 3] = math.nan
 
 
+def nothing_behind_the_eye(camera):
+    camera.near = max(camera.near, 0)
+
+
 WRONG_FRAMES = {f.__name__: f for f in (flipped_in_y, ids_from_one, depth_is_ndc_z, depth_is_ray_length, one_nan)}
 
 
@@ -123,8 +127,11 @@ def main():
     if fault in NO_FRAMES:
         NO_FRAMES[fault](out, camera)
         return
+    if fault == 'nothing_behind_the_eye':
+        nothing_behind_the_eye(camera)
     frame = zbuffer.render(contract.read_triangles(scene), camera)
-    WRONG_FRAMES[fault](frame, camera)
+    if fault in WRONG_FRAMES:
+        WRONG_FRAMES[fault](frame, camera)
     contract.write_exr(out, frame)
 
 

@@ -235,7 +235,7 @@ const std::vector<Long> commands{
     {"ContractCheck",
      {"contract-check", "cp {scene} {out}"},
      Blocked::at_its_results,
-     "[01] of 7 pictures asked for and judged, [67] not",
+     "[01] of 8 pictures asked for and judged, [78] not",
      ""},
     {"ScenesGenerate",
      {"scenes", "generate", "guard_band", "fan_at_pixel_centre", "-o", "s"},

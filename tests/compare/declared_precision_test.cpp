@@ -85,8 +85,77 @@ TEST(DepthFormat, AllowsOneStepOfTheBuffer) {
         expect_depth_allowance(parallel, p, 4, step * 63.75);
         expect_depth_allowance(perspective, p, 4, 4 * 4 * step / 0.25);
     }
-    EXPECT_EQ(quantization_error(DepthFormat::unorm24), 1 / 16777215.0);
-    EXPECT_EQ(quantization_error(DepthFormat::unorm32), 1 / 4294967295.0);
+    EXPECT_EQ(step_of_z(DepthFormat::unorm24), 1 / 16777215.0);
+    EXPECT_EQ(step_of_z(DepthFormat::unorm32), 1 / 4294967295.0);
+}
+
+/// Beside a step of 16 bits, what float32 does to z is a sixteenth at most.
+TEST(DepthRounding, NearestIsHalfAStepAndTruncationOneStepOfZDownwards) {
+    const double step = 63.75 / 65535;
+    for (const DepthBuffer buffer : {DepthBuffer::standard_z, DepthBuffer::reversed_z}) {
+        RasterPrecision p = with_buffer(buffer, DepthFormat::unorm16);
+        p.depth_rounding = DepthRounding::nearest;
+        expect_depth_allowance(parallel, p, 4, step / 2);
+        p.depth_rounding = DepthRounding::truncate;
+        const double nearer = buffer == DepthBuffer::standard_z ? -1 : 1;
+        EXPECT_TRUE(passes_with_depth(parallel, p, 4, nearer * nearly * step));
+        EXPECT_FALSE(passes_with_depth(parallel, p, 4, nearer * beyond * step));
+        EXPECT_TRUE(passes_with_depth(parallel, p, 4, 0));
+        EXPECT_FALSE(passes_with_depth(parallel, p, 4, -nearer * step / 16));
+    }
+}
+
+/// Two walls closer together than a step: which is drawn in front depends on whether their steps differ.
+TEST(DepthRounding, DecidesWhichDepthsAreTold) {
+    const double step = 63.75 / 65535;
+    TestScene t(parallel, 1, 1, {wall(4), wall(4 + 1.5 * step)});
+    answer(t.reference, 0, 0, 0, 4);
+    answer(t.candidate, 0, 0, 1, 4 + 1.5 * step);
+    RasterPrecision p = with_buffer(DepthBuffer::standard_z, DepthFormat::unorm16);
+    t.candidate_precision = p;
+    EXPECT_EQ(t.class_at(0, 0), PixelClass::depth_tie) << "either step may be taken";
+    for (const DepthRounding rounding : {DepthRounding::nearest, DepthRounding::truncate}) {
+        p.depth_rounding = rounding;
+        t.candidate_precision = p;
+        EXPECT_EQ(t.class_at(0, 0), PixelClass::hidden);
+    }
+}
+
+/// z times the number of steps is rounded once, and once more with the 1/2 that finds the nearest.
+TEST(DepthRounding, ScalingInFloat32CountsAt24Bits) {
+    RasterPrecision p = with_buffer(DepthBuffer::standard_z, DepthFormat::unorm24);
+    const double step = 1 / 16777215.0;
+    p.depth_rounding = DepthRounding::truncate;
+    EXPECT_DOUBLE_EQ(quantization(p, 1, u).error, step / 2 + gamma(1, u));
+    EXPECT_EQ(quantization(p, 1, u).bias, -step / 2);
+    p.depth_rounding = DepthRounding::nearest;
+    EXPECT_DOUBLE_EQ(quantization(p, 1, u).error, step / 2 + gamma(2, u) * (1 + step));
+    EXPECT_EQ(quantization(p, 1, u).bias, 0);
+    p.depth_rounding = DepthRounding::either;
+    EXPECT_EQ(quantization(p, 1, u).error, step);
+}
+
+/// With near at 1/4 and a wall at 64, z is 1 - 1/256: corners' 4 roundings, 8 of the mean, 6 of the way back.
+TEST(DepthFormat, Float64KeepsZAsTheTransformHasIt) {
+    RasterPrecision p = with_buffer(DepthBuffer::standard_z, DepthFormat::float64);
+    p.depth_interpolation = DepthInterpolation::barycentrics;
+    p.matrix_far = MatrixFar::infinite;
+    const View view = pixel_view(perspective, 1, 1);
+    const Scene scene = scene_of(view, {wall(64)});
+    const auto error = [&](const RasterPrecision& one) {
+        return ViewBounds(view, one).of(corners_of(scene, 0)).inverse_depth_error * 0.25;
+    };
+    const double z = 1 - 1 / 256.0, v = unit_roundoff_float64;
+    EXPECT_NEAR(error(p), gamma(12, v) * z + gamma(6, v) * (1 + z), 1e-3 * v);
+    p.linearization = Arithmetic::float32;
+    EXPECT_NEAR(error(p), gamma(6, u) * (1 + z), 1e-3 * u);
+    p.linearization = Arithmetic::float64;
+    p.transform = Arithmetic::float32;
+    EXPECT_NEAR(error(p), gamma(4, u) * z, 1e-3 * u);
+    p.transform = Arithmetic::float64;
+    EXPECT_FALSE(passes_with_depth(perspective, p, 64, 2 * u * 64)) << "only the frame's rounding is left";
+    p.depth_format = DepthFormat::float32;
+    EXPECT_TRUE(passes_with_depth(perspective, p, 64, 2 * u * 64));
 }
 
 /// At depth 64 with near at 1/4, z is 1 - 1/256: rounding it costs 256 times what rounding 1/256 costs.
@@ -178,6 +247,49 @@ TEST(EdgeFunctions, FromACornerErrByFourRoundingsOfTheDistance) {
     expect_displacement_allowance(p, gamma(4, u) * 516);
 }
 
+/// a x + b y + c with 4 roundings of each term. Of all edges the hypotenuse of the wall behind errs most,
+/// from (192, -64) to (-64, 192), and its eps counts for what is seen before it.
+TEST(EdgeFunctions, WindowCoefficientsErrByTheProductsOfCoordinates) {
+    RasterPrecision p{.snap = Snap::none, .edge_functions = EdgeFunctions::window_coefficients};
+    p.transform = Arithmetic::float64;
+    const double width = 4, height = 1, c = 192.0 * 192 + 64 * 65;  // y = -64 is 65 rows from the lower side
+    expect_displacement_allowance(p, gamma(4, u) * (256 * width + 256 * height + c) / 512);
+    p.edge_arithmetic = Arithmetic::float64;
+    EXPECT_FALSE(passes_displaced(p, 1e-6));
+}
+
+/// 1 - s - t, where s and t are edge functions over an area. On this wall a weight's error is worth its
+/// height of 514.5 px before its vertical edge.
+TEST(ThirdWeight, ARemainderErrsAsBothOthersDo) {
+    RasterPrecision p{.snap = Snap::none,
+                      .edge_functions = EdgeFunctions::from_corner,
+                      .third_weight = ThirdWeight::remainder};
+    p.transform = Arithmetic::float64;
+    const double across = 514.5, down = 128, twice_area = across * down;
+    const double of_edges = gamma(4, u) * 2 * 2 * across * down / twice_area,
+                 of_quotients = gamma(4, u) + gamma(3, u);
+    const double own = gamma(4, u) * 516;
+    EXPECT_GT((of_edges + of_quotients) * twice_area / down, own);
+    expect_displacement_allowance(p, (of_edges + of_quotients) * twice_area / down);
+    EXPECT_FALSE(passes_displaced(RasterPrecision{.transform = Arithmetic::float64,
+                                                  .snap = Snap::none,
+                                                  .edge_functions = EdgeFunctions::from_corner},
+                                  1.5 * own));
+}
+
+/// Weights that err alike, but for the third: it has the error of both others once more.
+TEST(ThirdWeight, ARemainderBringsTheOthersErrorsIntoDepth) {
+    RasterPrecision p{.snap = Snap::none, .edge_functions = EdgeFunctions::from_corner};
+    const TestScene t(parallel, 1, 1, {wall(4)});
+    const auto error = [&](ThirdWeight third) {
+        p.third_weight = third;
+        return ViewBounds(t.view, p).of(corners_of(t.scene, 0)).inverse_depth_error;
+    };
+    const double share = gamma(4, u) * 2 * 256 * 256 / (256 * 256);  // of one weight, and then of 4 units
+    EXPECT_NEAR(error(ThirdWeight::edge_function), 3 * share * 4, 0.01 * share);
+    EXPECT_NEAR(error(ThirdWeight::remainder), 2 * (2 * share + gamma(4, u) + gamma(3, u)) * 4, 0.01 * share);
+}
+
 /// The vertical edge from (x, -64) to (x, 64): |p0| x |p1| in absolute terms over its length.
 TEST(EdgeFunctions, HomogeneousOnesErrBySixRoundingsOfAllProducts) {
     RasterPrecision p{.snap = Snap::none, .edge_functions = EdgeFunctions::homogeneous};
@@ -262,6 +374,69 @@ TEST(WorldAbsolute, MovesCornersAndDepths) {
     p.world_absolute = 0.03;
     expect_displacement_allowance(p, 0.03);
     expect_depth_allowance(parallel, p, 4, 0.03);
+}
+
+TEST(DepthOfRange, IsAShareOfFarLessNear) {
+    RayPrecision p = fine_ray();
+    p.depth_of_range = 1e-4;
+    expect_depth_allowance(parallel, p, 4, 1e-4 * (64 - 0.25));
+    expect_depth_allowance(perspective, p, 4, 1e-4 * (1024 - 0.25));
+    p.hit_point = HitPoint::barycentrics;
+    expect_depth_allowance(parallel, p, 4, 1e-4 * (64 - 0.25));
+}
+
+/// A view from depth -8 on, in which a wall stands behind the eye and another before it.
+TestScene around_the_eye(const RasterPrecision& precision, double first) {
+    TestScene t(parallel, 1, 1, {wall(first), wall(4)});
+    t.view.camera.near_depth = -8;
+    t.candidate_precision = precision;
+    answer(t.reference, 0, 0, 0, first);
+    return t;
+}
+
+TEST(NothingBehindTheEye, WhatLiesThereIsMissingAndHidesNothing) {
+    RasterPrecision ends = fine_raster(), whole = fine_raster();
+    ends.nothing_behind_the_eye = true;
+    for (const double depth : {-7.0, -0.25, -1e-3}) {
+        TestScene t = around_the_eye(ends, depth);
+        answer(t.candidate, 0, 0, 1, 4);
+        EXPECT_TRUE(passes(t.class_at(0, 0))) << depth;
+        answer_background(t.candidate, 0, 0);
+        EXPECT_EQ(t.class_at(0, 0), PixelClass::hole) << "the wall before the eye is drawn";
+        answer(t.candidate, 0, 0, 0, depth);
+        EXPECT_EQ(t.class_at(0, 0), PixelClass::invalid) << depth;
+        t.candidate_precision = whole;
+        EXPECT_EQ(t.class_at(0, 0), PixelClass::agree);
+        answer(t.candidate, 0, 0, 1, 4);
+        EXPECT_EQ(t.class_at(0, 0), PixelClass::hidden) << depth;
+    }
+    for (const double depth : {1e-3, 0.25, 2.0}) {
+        TestScene t = around_the_eye(ends, depth);
+        answer(t.candidate, 0, 0, 1, 4);
+        EXPECT_EQ(t.class_at(0, 0), PixelClass::hidden) << depth;
+        answer(t.candidate, 0, 0, 0, depth);
+        EXPECT_EQ(t.class_at(0, 0), PixelClass::agree);
+    }
+}
+
+/// A slope from depth -4 at x = 0 to 4 at x = 8 crosses the eye's plane at x = 4.
+TEST(NothingBehindTheEye, WhatCrossesTheEyesPlaneEndsThere) {
+    TestScene t(parallel, 8, 1, {{{{-64, -64, -68}, {192, -64, 188}, {-64, 192, -68}}}});
+    t.view.camera.near_depth = -256;
+    RasterPrecision p = fine_raster();
+    p.nothing_behind_the_eye = true;
+    t.candidate_precision = p;
+    t.view.camera.far_depth = 256;
+    for (int x = 0; x < 8; ++x) {
+        answer(t.reference, x, 0, 0, x + 0.5 - 4);
+        if (x < 4)
+            answer_background(t.candidate, x, 0);
+        else
+            answer(t.candidate, x, 0, 0, x + 0.5 - 4);
+    }
+    for (int x = 0; x < 8; ++x) EXPECT_TRUE(passes(t.class_at(x, 0))) << x;
+    answer_background(t.candidate, 4, 0);
+    EXPECT_EQ(t.class_at(4, 0), PixelClass::hole);
 }
 
 /// A perspective ray through the image's corner: u of |x| + |y| + 1 along each axis, once or many times.

@@ -228,6 +228,23 @@ TEST(Fit, RecoversDepthsThatAreUlpsOff) {
     }
 }
 
+/// |d - t| is 0.01, 0.5 or 2 times t: what was planted is told.
+TEST(Fit, GivesBackAPlantedShareOfTheDepth) {
+    const View view = pixel_view(24, 24);
+    const Triangle truth{{{1, 1, 4}, {23, 2, 4}, {3, 22, 4}}};
+    const std::vector<std::pair<double, double>> planted{{1.01, 0.01}, {1.5, 0.5}, {2, 1},
+                                                         {3, 2},       {0.5, 0.5}, {0.99, 0.01}};
+    for (const auto& [factor, share] : planted) {
+        SCOPED_TRACE(factor);
+        const ViewFit found = fit(scene_of({truth}), view, drawn(view, Region(truth), 4 * factor));
+        EXPECT_NEAR(found.depth.error.relative, share, 1e-6);
+        EXPECT_GE(found.promise.depth_relative, found.depth.error.relative);
+        EXPECT_LE(found.promise.depth_relative, 1.011 * share) << "rounded up to three digits";
+        EXPECT_TRUE(found.is_verified);
+        EXPECT_EQ(found.defects, 0u);
+    }
+}
+
 TEST(Fit, EmbreeNeedsLessThanATenThousandthOfAPixel) {
     for (const char* name : {"room", "slivers"}) {
         const Loaded loaded = generate_suite_scene(name, 160, 90);

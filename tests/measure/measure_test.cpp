@@ -208,6 +208,33 @@ TEST(Findings, PromiseOfAFinerGridIsNotKept) {
     EXPECT_EQ(finding(all, "subpixel_bits_x").conformity, Conformity::worse);
 }
 
+/// A closed test meets both triangles of a shared edge. Integer edge functions promise a fill rule; rounded
+/// ones, rays and who knows nothing of its arithmetic do not.
+TEST(Findings, OnlyWhoPromisesAFillRuleIsHeldToSingleOwners) {
+    const Measurement closed = measure(by_rules({.fill = rasterizer::FillRule::inclusive}));
+    const std::vector<Precision> without_a_rule{
+        RayPrecision{},
+        PlaneRayPrecision{},
+        BoundedPrecision{.eps_px = 0.01, .depth_relative = 1e-6},
+        RasterPrecision{.edge_functions = EdgeFunctions::from_corner},
+        RasterPrecision{.edge_functions = EdgeFunctions::window_coefficients},
+        RasterPrecision{.barycentric_tolerance = 1e-6}};
+    for (const Precision& precision : without_a_rule) {
+        const auto all = findings(closed, precision);
+        EXPECT_FALSE(is_worse(all)) << worse_in(all).front();
+        EXPECT_EQ(finding(all, "fill_side").conformity, Conformity::undeclared);
+        EXPECT_EQ(finding(all, "double_hits").conformity, Conformity::undeclared);
+        EXPECT_GT(finding(all, "double_hits").value.value().low, 0) << "the figure stays";
+    }
+    EXPECT_EQ(worse_in(findings(closed, RasterPrecision{})),
+              (std::vector<std::string>{"fill_side", "double_hits"}));
+}
+
+TEST(Findings, AClosedTestThatPromisesWatertightnessIsHeldToIt) {
+    const auto all = findings(measure(by_rules({.fill = rasterizer::FillRule::exclusive})), RayPrecision{});
+    EXPECT_EQ(worse_in(all), std::vector<std::string>{"holes"});
+}
+
 TEST(Findings, ARayCasterIsNotHeldToAGrid) {
     for (const Finding& f : findings(measure(by_rules({})), RayPrecision{}))
         EXPECT_NE(f.conformity, Conformity::worse) << f.name;

@@ -4,6 +4,7 @@
 
 #include "compare/judge.h"
 #include "oracle/embree.h"
+#include "scenes/random_scenes.h"
 #include "scenes/suite.h"
 #include "tests/precision/emulated_rasterizer.h"
 
@@ -37,6 +38,31 @@ constexpr RasterPrecision software{.snap = Snap::none,
                                    .watertight = false,
                                    .depth_roundings = 4};
 
+/// Edges by coefficients, the third weight from the others, and z cut to 24 bits.
+RasterPrecision cut_z() {
+    RasterPrecision p = opengl_24bit;
+    p.snap = Snap::none;
+    p.edge_functions = EdgeFunctions::window_coefficients;
+    p.third_weight = ThirdWeight::remainder;
+    p.watertight = false;
+    p.depth_rounding = DepthRounding::truncate;
+    p.depth_interpolation = DepthInterpolation::barycentrics;
+    return p;
+}
+
+/// Everything in float64 but the frame's depth.
+constexpr RasterPrecision wide{.transform = Arithmetic::float64,
+                               .snap = Snap::none,
+                               .edge_functions = EdgeFunctions::window_coefficients,
+                               .edge_arithmetic = Arithmetic::float64,
+                               .watertight = false,
+                               .depth_buffer = DepthBuffer::standard_z,
+                               .depth_format = DepthFormat::float64,
+                               .clip_range = ClipRange::minus_one_to_one,
+                               .matrix_far = MatrixFar::finite,
+                               .interpolation = Arithmetic::float64,
+                               .depth_roundings = 1};
+
 RasterPrecision webgl() {
     RasterPrecision p = opengl_24bit;
     p.matrices = 2;
@@ -65,6 +91,11 @@ std::vector<Declared> declarations() {
             {"tolerant", with(software, &P::barycentric_tolerance, 1e-3)},
             {"areas", with(with(software, &P::least_area_px2, 1e-4), &P::area_epsilon_px2, 1e-4)},
             {"homogeneous", homogeneous},
+            {"coefficients", with(software, &P::edge_functions, EdgeFunctions::window_coefficients)},
+            {"remainder", with(software, &P::third_weight, ThirdWeight::remainder)},
+            {"cut_z", cut_z()},
+            {"nearest_z", with(direct3d(), &P::depth_rounding, DepthRounding::nearest)},
+            {"wide", wide},
             {"linearized", with(world_reversed, &P::linearization, Arithmetic::float32)}};
 }
 
@@ -127,6 +158,13 @@ std::vector<Misdeclared> misdeclarations() {
         {"InsideForTolerant", "room", tolerant, software},
         {"NoEpsilon", "room", of_area, software},
         {"AllDrawn", "million_triangles", own_least, software},
+        {"CornersForCoefficients", "depth_range",
+         with(software, &P::edge_functions, EdgeFunctions::window_coefficients), software},
+        {"NearestForCutZ", "depth_range", with(fixed16, &P::depth_rounding, DepthRounding::truncate),
+         with(fixed16, &P::depth_rounding, DepthRounding::nearest)},
+        {"CutZForNearest", "depth_range", with(fixed16, &P::depth_rounding, DepthRounding::nearest),
+         with(fixed16, &P::depth_rounding, DepthRounding::truncate)},
+        {"Float64ForFloat32Z", "depth_range", with(wide, &P::depth_format, DepthFormat::float32), wide},
         {"CornersForHomogeneous", "slivers", homogeneous,
          with(homogeneous, &P::edge_arithmetic, Arithmetic::float64)},
         {"WeightsForPlane", "slivers", with(P{}, &P::depth_interpolation, DepthInterpolation::plane), P{}}};
@@ -141,6 +179,34 @@ TEST_P(EveryMisdeclaration, HasDefects) {
 
 INSTANTIATE_TEST_SUITE_P(Declared, EveryMisdeclaration, testing::ValuesIn(misdeclarations()),
                          [](const auto& one) { return one.param.name; });
+
+/// Scenes of which a part lies behind the eye of a parallel view.
+TEST(NothingBehindTheEye, IsKeptByWhoDrawsNothingThereAndByNobodyElse) {
+    RasterPrecision ends = software, whole = software;
+    ends.nothing_behind_the_eye = true;
+    std::uint64_t views = 0, defects_of_whole = 0, defects_of_ends = 0;
+    for (const RandomKind& kind : random_kinds())
+        for (std::uint64_t number = 0; number < 24; ++number) {
+            const Loaded loaded = generate({std::string(kind.name), 60, number});
+            const View& view = loaded.views.front();
+            if (!(view.camera.near_depth < 0)) continue;
+            SCOPED_TRACE(loaded.scene.name);
+            ++views;
+            const Frame reference = oracle::Embree(loaded.scene).trace(view);
+            const auto defects = [&](const RasterPrecision& own, const RasterPrecision& declared) {
+                const Frame frame = emulate(own, loaded.scene, view);
+                return defect_count(
+                    judge(loaded.scene, view, {frame, declared}, {reference, oracle::embree_precision()}));
+            };
+            EXPECT_EQ(defects(whole, whole), 0u);
+            EXPECT_EQ(defects(ends, ends), 0u);
+            defects_of_ends += defects(ends, whole);
+            defects_of_whole += defects(whole, ends);
+        }
+    EXPECT_GT(views, 20u);
+    EXPECT_GT(defects_of_ends, 0u) << "who draws nothing there and does not say so";
+    EXPECT_GT(defects_of_whole, 0u) << "who says so and draws it";
+}
 
 std::vector<std::string> suite_names() {
     std::vector<std::string> names;

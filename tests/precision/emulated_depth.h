@@ -14,13 +14,13 @@ struct EmulatedDepth {
 class EmulatedValue {
   public:
     EmulatedValue(const RasterPrecision& precision, const WindowPiece& window,
-                  const std::array<float, 3>& of_corners);
-    float at(const glm::dvec2& p_raster, const Weights& weights) const;
+                  const std::array<double, 3>& of_corners);
+    double at(const glm::dvec2& p_raster, const Weights& weights) const;
 
   private:
-    bool is_plane_;
+    bool is_wide_, is_plane_;
     Arithmetic arithmetic_;
-    std::array<float, 3> of_corners_;
+    std::array<double, 3> of_corners_;
     float at_origin_ = 0, per_x_ = 0, per_y_ = 0;
 };
 
@@ -50,11 +50,12 @@ class EmulatedDepthBuffer {
 
   private:
     friend class EmulatedInterpolation;
-    float z_of(const EmulatedCorner& p) const;
+    double z_of(const EmulatedCorner& p) const;
     float linear_of(const EmulatedCorner& p) const;
     float depth_of_linear(float linear) const { return is_perspective_ ? 1 / linear : linear; }
     /// What the buffer holds of an interpolated z.
-    double stored(float z) const;
+    double stored(double z) const;
+    double step_of(double z, double steps) const;
     float depth_of_stored(double z) const;
 
     RasterPrecision precision_;

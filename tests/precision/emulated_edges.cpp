@@ -49,6 +49,11 @@ EmulatedEdges::EmulatedEdges(const RasterPrecision& precision, const WindowPiece
 
 template <class T>
 T EmulatedEdges::edge(const WindowPoint& from, const WindowPoint& to, double x, double y) const {
+    if (precision_.edge_functions == EdgeFunctions::window_coefficients) {
+        const T x0 = T(from.x_snapped), y0 = T(from.y_snapped), x1 = T(to.x_snapped), y1 = T(to.y_snapped);
+        const T a = y0 - y1, b = x1 - x0, c = x0 * y1 - x1 * y0;
+        return -((a * T(x) + b * T(y)) + c);
+    }
     const T along_x = T(to.x_snapped) - T(from.x_snapped), along_y = T(to.y_snapped) - T(from.y_snapped);
     return (T(x) - T(from.x_snapped)) * along_y - (T(y) - T(from.y_snapped)) * along_x;
 }
@@ -78,11 +83,15 @@ std::optional<Weights> EmulatedEdges::exact_at(const glm::dvec2& p_raster) const
 template <class T>
 std::optional<Weights> EmulatedEdges::rounded_at(const glm::dvec2& p_raster) const {
     const T epsilon = T(std::copysign(2 * precision_.area_epsilon_px2, area_));
-    const T divisor = T(area_) + epsilon;
+    const bool is_remainder = precision_.third_weight == ThirdWeight::remainder;
     Weights weights;
     for (std::size_t i = 0; i < 3; ++i) {
-        const WindowPoint &from = piece_[(i + 1) % 3], &to = piece_[(i + 2) % 3];
-        const T weight = edge<T>(from, to, p_raster.x, p_raster.y) / divisor;
+        const WindowPoint &from = piece_[(i + 1) % 3], &to = piece_[(i + 2) % 3], &opposite = piece_[i];
+        // two weights may have areas of their own, each the edge function at the corner opposite
+        const T area = is_remainder ? edge<T>(from, to, opposite.x_snapped, opposite.y_snapped) : T(area_);
+        const T weight = is_remainder && i == 2
+                             ? (T(1) - T(weights[0])) - T(weights[1])
+                             : edge<T>(from, to, p_raster.x, p_raster.y) / (area + epsilon);
         if (weight < T(-precision_.barycentric_tolerance)) return std::nullopt;
         weights[i] = weight;
     }

@@ -77,6 +77,7 @@ class EmulatedRasterizer {
     void write(std::uint32_t triangle, int x, int y, const EmulatedDepth& depth) {
         const bool has_horizon = view_.camera.projection == Projection::perspective;
         if (has_horizon && !(depth.shown > 0)) return;  // a tolerance reaches beyond it
+        if (precision_.nothing_behind_the_eye && depth.shown < 0) return;
         if (!(depth.tested < buffer_.at(x, y))) return;
         buffer_.at(x, y) = depth.tested;
         frame_.primitive.at(x, y) = PrimitiveId{triangle};
