@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/attributes/interpolation_errors.h"
+#include "compare/attributes/interpolated_value.h"
 #include "compare/attributes/wrong_attribute.h"
 #include "compare/bounds/bounds.h"
 #include "compare/bounds/pixel_coord.h"
@@ -14,22 +14,6 @@
 #include "frame/frame.h"
 
 namespace zproof {
-
-/// Values between two ends; none where the first is the greater.
-struct ValuesBetween {
-    double low = unlimited, high = -unlimited;
-
-    bool holds(double value) const { return value >= low && value <= high; }
-};
-
-/// One number of an attribute at a pixel, and what it interpolates.
-struct InterpolatedValue {
-    std::size_t channel;
-    float value;
-    std::array<double, 3> at_corners;
-    double slack;            ///< what arithmetic may do to it
-    ValuesBetween by_depth;  ///< admissible as well
-};
 
 class AttributeCheck {
   public:
@@ -42,9 +26,8 @@ class AttributeCheck {
     std::optional<WrongAttribute> first_wrong(const PixelCoord& pixel) const;
 
   private:
-    std::vector<InterpolatedValue> values_of(Attribute attribute, const Surface& surface,
-                                             const InterpolationErrors& errors,
-                                             const glm::uvec3& triangle) const;
+    /// What the frame may show of the triangle there, be it interpolated beside its depth or made from it.
+    DepthBound depth_of(const Surface& surface) const;
 
     const Scene& scene_;
     ViewFacts facts_;
