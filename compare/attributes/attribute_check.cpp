@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "compare/bounds/triangle_depth.h"
-
 namespace zproof {
 
 namespace {
@@ -59,24 +57,16 @@ AttributeCheck::AttributeCheck(const Scene& scene, const View& view, const Frame
       shown_bounds_(view, shown_precision(precision)),
       judged_(judged_attributes(scene, view, frame.attributes, precision)) {}
 
-DepthBound AttributeCheck::depth_of(const Surface& surface) const {
-    const auto by = [&](const ViewBounds& bounds) {
-        const TriangleInView in_view(facts_.view, bounds, surface.p_world());
-        return TriangleDepth(in_view, bounds).at(surface.pixel.x, surface.pixel.y);
-    };
-    const DepthBound varying = by(varying_bounds_), shown = by(shown_bounds_);
-    return {std::min(varying.low, shown.low), shown.truth, std::max(varying.high, shown.high)};
-}
-
 std::optional<WrongAttribute> AttributeCheck::first_wrong(const PixelCoord& pixel) const {
     const auto id = std::uint32_t(frame_.primitive.at(pixel.x, pixel.y));
     if (judged_.empty() || id >= scene_.triangles.size()) return std::nullopt;
     const Surface surface = surface_at(facts_, varying_bounds_, corners_of(scene_, id), pixel);
     const double depth = frame_.camera_depth.at(pixel.x, pixel.y);
-    SampledSurface sampled{surface, interpolation_errors(precision_, surface, depth), {}};
+    const SampledSurface sampled{
+        surface, interpolation_errors(precision_, surface, depth), {&shown_bounds_, &varying_bounds_}};
     for (const Attribute attribute : judged_) {
-        if (attribute == Attribute::position) sampled.depth = depth_of(surface);
         std::vector<InterpolatedValue> values;
+        values.reserve(3);
         for (std::size_t c = 0; c < attribute_channels.size(); ++c)
             if (attribute_channels[c].attribute == attribute)
                 values.push_back(

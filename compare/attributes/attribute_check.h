@@ -26,9 +26,6 @@ class AttributeCheck {
     std::optional<WrongAttribute> first_wrong(const PixelCoord& pixel) const;
 
   private:
-    /// What the frame may show of the triangle there, be it interpolated beside its depth or made from it.
-    DepthBound depth_of(const Surface& surface) const;
-
     const Scene& scene_;
     ViewFacts facts_;
     const Frame& frame_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "compare/attributes/position_range.h"
+#include "compare/bounds/triangle_depth.h"
 #include "frame/attributes.h"
 #include "math/rational.h"
 #include "math/rounding.h"
@@ -118,9 +119,21 @@ bool is_admissible_direction(const SampledSurface& s, const Values& v) {
     });
 }
 
+/// The depths of a position: it may be made from the depth that the frame shows, or be interpolated beside
+/// it.
+DepthBound depth_of(const SampledSurface& s) {
+    const auto by = [&](const ViewBounds& bounds) {
+        const TriangleInView in_view(s.surface.facts.view, bounds, s.surface.p_world());
+        return TriangleDepth(in_view, bounds).at(s.surface.pixel.x, s.surface.pixel.y);
+    };
+    const DepthBound shown = by(*s.depth_bounds[0]), varying = by(*s.depth_bounds[1]);
+    return {std::min(shown.low, varying.low), shown.truth, std::max(shown.high, varying.high)};
+}
+
 /// A position may be interpolated, or be made from a depth: origin + depth direction, in float32 at least.
 PositionLimits position_limits(const SampledSurface& s, const Values& values) {
-    const auto& [low, truth, high] = s.depth;
+    const DepthBound bound = depth_of(s);
+    const auto& [low, truth, high] = bound;
     const double depth = std::isfinite(high) ? std::max(std::abs(low), std::abs(high)) : std::abs(truth);
     const auto slack = [&](const InterpolatedValue& v, double origin, double direction) {
         const double of_depth =
@@ -131,7 +144,7 @@ PositionLimits position_limits(const SampledSurface& s, const Values& values) {
     const Vector3<double>&o = s.surface.ray.origin, &d = s.surface.ray.direction;
     return {s.half_side(),
             {slack(values[0], o.x, d.x), slack(values[1], o.y, d.y), slack(values[2], o.z, d.z)},
-            s.depth};
+            bound};
 }
 
 template <class Number>
@@ -262,8 +275,10 @@ ValuesBetween on_line(const PositionRange<double>& admissible, Vector3<double> f
 /// there, beside those of the centre.
 WrongAttribute wrong_position(const SampledSurface& s, const Values& values) {
     const ViewRay<double>& ray = s.surface.ray;
-    const PositionRange<double> admissible = position_range(ray, position_limits(s, values));
-    const Vector3<double> given = point<double>(values) - ray.origin, right = s.depth.truth * ray.direction;
+    const PositionLimits limits = position_limits(s, values);
+    const PositionRange<double> admissible = position_range(ray, limits);
+    const Vector3<double> given = point<double>(values) - ray.origin,
+                          right = limits.depth.truth * ray.direction;
     std::optional<WrongAttribute> worst;
     for (const Vector3<double>& beside : {given, right}) {
         constexpr double Vector3<double>::*axes[] = {&Vector3<double>::x, &Vector3<double>::y,

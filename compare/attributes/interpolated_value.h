@@ -8,7 +8,6 @@
 #include "compare/attributes/interpolation_errors.h"
 #include "compare/attributes/surface.h"
 #include "compare/attributes/wrong_attribute.h"
-#include "compare/bounds/depth_bound.h"
 
 namespace zproof {
 
@@ -37,7 +36,7 @@ InterpolatedValue interpolated_value(const Surface& surface, const Interpolation
 struct SampledSurface {
     const Surface& surface;
     InterpolationErrors errors;
-    DepthBound depth;  ///< admissible depths of a position
+    std::array<const ViewBounds*, 2> depth_bounds;  ///< of the depth that the frame shows, and of a varying's
 
     double half_side() const { return surface.seen.bounds.depth_eps_px; }
 };
