@@ -1,6 +1,7 @@
 #include "compare/attributes/attribute_check.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace zproof {
 
@@ -61,9 +62,9 @@ std::optional<WrongAttribute> AttributeCheck::first_wrong(const PixelCoord& pixe
     const auto id = std::uint32_t(frame_.primitive.at(pixel.x, pixel.y));
     if (judged_.empty() || id >= scene_.triangles.size()) return std::nullopt;
     const Surface surface = surface_at(facts_, varying_bounds_, corners_of(scene_, id), pixel);
-    const double depth = frame_.camera_depth.at(pixel.x, pixel.y);
+    const double given = frame_.camera_depth.at(pixel.x, pixel.y), depth = std::isfinite(given) ? given : 0;
     const SampledSurface sampled{
-        surface, interpolation_errors(precision_, surface, depth), {&shown_bounds_, &varying_bounds_}};
+        surface, interpolation_errors(precision_, surface, depth), depth, {&shown_bounds_, &varying_bounds_}};
     for (const Attribute attribute : judged_) {
         std::vector<InterpolatedValue> values;
         values.reserve(3);

@@ -27,7 +27,7 @@ struct Places {
 
 /// Is every value that is taken in the square between those at some places?
 bool has_square(const SampledSurface& s) {
-    return s.surface.has_plane() &&
+    return s.surface.has_plane() && std::isfinite(s.half_side()) &&
            (s.errors.sampled == SampledPlaces::on_triangle || s.surface.least_sum > 0);
 }
 
@@ -130,50 +130,82 @@ DepthBound depth_of(const SampledSurface& s) {
     return {std::min(shown.low, varying.low), shown.truth, std::max(shown.high, varying.high)};
 }
 
-/// A position may be interpolated, or be made from a depth: origin + depth direction, in float32 at least.
-PositionLimits position_limits(const SampledSurface& s, const Values& values) {
-    const DepthBound bound = depth_of(s);
-    const auto& [low, truth, high] = bound;
-    const double depth = std::isfinite(high) ? std::max(std::abs(low), std::abs(high)) : std::abs(truth);
-    const auto slack = [&](const InterpolatedValue& v, double origin, double direction) {
-        const double of_depth =
-            gamma(4, unit_roundoff_float32) * (std::abs(origin) + depth * std::abs(direction));
-        const double of_mean = v.means.high - std::ranges::max(v.at_corners);
-        return std::max(of_depth, std::isfinite(v.slack) ? v.slack : of_mean);
-    };
-    const Vector3<double>&o = s.surface.ray.origin, &d = s.surface.ray.direction;
-    return {s.half_side(),
-            {slack(values[0], o.x, d.x), slack(values[1], o.y, d.y), slack(values[2], o.z, d.z)},
-            bound};
-}
-
 template <class Number>
-Vector3<Number> point(const Values& values) {
-    return exactly<Number>({values[0].value, values[1].value, values[2].value});
+Vector3<Number> blend(const Weights<Number>& weights, const Values& values) {
+    return {weights.blend(values[0].at_corners), weights.blend(values[1].at_corners),
+            weights.blend(values[2].at_corners)};
 }
 
-/// Seen in the square at an admissible depth; where the triangle is not known to meet the square, a mean of
-/// its corners.
+/// What float32 at least does to origin + depth direction.
+Vector3<double> slack_of_depth(const ViewRay<double>& ray, double depth) {
+    const auto of = [&](double origin, double direction) {
+        return gamma(4, unit_roundoff_float32) * (std::abs(origin) + depth * std::abs(direction));
+    };
+    const Vector3<double>&o = ray.origin, &d = ray.direction;
+    return {of(o.x, d.x), of(o.y, d.y), of(o.z, d.z)};
+}
+
+/// Where a position may lie that is made from an admissible depth.
+template <class Number>
+PositionLimits<Number> made_from_depth(const SampledSurface& s, const DepthBound& bound) {
+    PositionLimits<Number> limits{std::isfinite(s.half_side()) ? s.half_side() : 0,
+                                  slack_of_depth(s.surface.ray, std::abs(s.depth)),
+                                  {},
+                                  {}};
+    if (std::isfinite(bound.low)) limits.least = Number(bound.low);
+    if (std::isfinite(bound.high)) limits.greatest = Number(bound.high);
+    return limits;
+}
+
+/// Where one may lie that is interpolated in the square, of which there must be places.
+template <class Number>
+PositionLimits<Number> interpolated(const SampledSurface& s, const ViewRay<Number>& ray,
+                                    const Places<Number>& places, const Values& values) {
+    PositionLimits<Number> limits{s.half_side(), {values[0].slack, values[1].slack, values[2].slack}, {}, {}};
+    for (const Weights<Number>& place : places.in_square) {
+        const Number depth = camera_depth<Number>(ray, blend(place, values) - ray.origin);
+        limits.least = limits.least ? detail::least(*limits.least, depth) : depth;
+        limits.greatest = limits.greatest ? detail::greatest(*limits.greatest, depth) : depth;
+    }
+    return limits;
+}
+
+bool may_be_interpolated_in_square(const auto& places, const Values& values) {
+    return !places.in_square.empty() && std::isfinite(values[0].slack + values[1].slack + values[2].slack);
+}
+
+/// Seen in the square at an admissible depth; where the triangle is not known to meet the square, also a mean
+/// of its corners at such a depth.
 bool is_admissible_position(const SampledSurface& s, const Values& values) {
-    const PositionLimits limits = position_limits(s, values);
+    const DepthBound bound = depth_of(s);
     return decided([&]<class Number>(Number) {
         const ViewRay<Number> ray(s.surface.facts.view, s.surface.pixel.x, s.surface.pixel.y);
-        const PositionRange<Number> range = position_range(ray, limits);
-        const Vector3<Number> from_origin = point<Number>(values) - ray.origin;
+        const Vector3<Number> from_origin =
+            exactly<Number>({values[0].value, values[1].value, values[2].value}) - ray.origin;
         const auto hold_it = [&](const std::vector<HalfSpace<Number>>& spaces) {
             return std::ranges::all_of(spaces,
                                        [&](const auto& space) { return sign(space.at(from_origin)) >= 0; });
         };
-        const bool is_at_depth = hold_it(range.along);
-        if (is_at_depth && hold_it(range.across)) return true;
+        const auto holds_it = [&](const PositionLimits<Number>& limits) {
+            const PositionRange<Number> range = position_range(ray, limits);
+            return hold_it(range.along) && hold_it(range.across);
+        };
+        PositionLimits<Number> limits = made_from_depth<Number>(s, bound);
+        if (holds_it(limits)) return true;
         const Places<Number> places = places_of<Number>(s);
         const auto all_hold = [&](const auto& range_of) {
             return std::ranges::all_of(values, [&](const auto& v) { return holds<Number>(range_of(v), v); });
         };
         if (places.centre && all_hold([&](const auto& v) { return at_centre(*places.centre, v); }))
             return true;
-        const bool is_known = !places.in_square.empty() && std::isfinite(values[0].slack);
-        return is_at_depth && !is_known && all_hold([&](const auto& v) { return in_square(places, v); });
+        if (may_be_interpolated_in_square(places, values))
+            return holds_it(interpolated(s, ray, places, values));
+        const auto beyond = [](const InterpolatedValue& v) {
+            return v.means.high - std::ranges::max(v.at_corners);
+        };
+        limits.slack = {beyond(values[0]), beyond(values[1]), beyond(values[2])};
+        return hold_it(position_range(ray, limits).along) &&
+               all_hold([&](const auto& v) { return in_square(places, v); });
     });
 }
 
@@ -271,30 +303,38 @@ ValuesBetween on_line(const PositionRange<double>& admissible, Vector3<double> f
     return range;
 }
 
-/// A coordinate is held against what it may be beside the other two of the frame; where it may be nothing
-/// there, beside those of the centre.
+/// A coordinate is held against what it may be beside the other two of the frame; where none may be anything
+/// there, beside those of the centre. Told is the one that needs the least change.
 WrongAttribute wrong_position(const SampledSurface& s, const Values& values) {
     const ViewRay<double>& ray = s.surface.ray;
-    const PositionLimits limits = position_limits(s, values);
-    const PositionRange<double> admissible = position_range(ray, limits);
-    const Vector3<double> given = point<double>(values) - ray.origin,
-                          right = limits.depth.truth * ray.direction;
-    std::optional<WrongAttribute> worst;
-    for (const Vector3<double>& beside : {given, right}) {
-        constexpr double Vector3<double>::*axes[] = {&Vector3<double>::x, &Vector3<double>::y,
-                                                     &Vector3<double>::z};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double origin = ray.origin.*axes[i];
-            const auto [low, high] = on_line(admissible, beside, axes[i]);
-            if (!(low <= high)) continue;
-            const WrongAttribute here =
-                told(values[i], {origin + low, origin + high}, origin + right.*axes[i], 1);
-            if (!worst || !(here.error_over_bound <= worst->error_over_bound)) worst = here;
-        }
-        if (worst && !(worst->error_over_bound <= 1)) break;
-    }
-    if (worst) return *worst;
+    const DepthBound bound = depth_of(s);
     const Places<double> places = places_of<double>(s);
+    std::vector<PositionRange<double>> ranges{position_range(ray, made_from_depth<double>(s, bound))};
+    if (may_be_interpolated_in_square(places, values))
+        ranges.push_back(position_range(ray, interpolated(s, ray, places, values)));
+    const Vector3<double> given = exactly<double>({values[0].value, values[1].value, values[2].value}),
+                          right = ray.origin + bound.truth * ray.direction;
+    for (const Vector3<double>& beside : {given, right}) {
+        const auto told_beside = [&](const InterpolatedValue& v) {
+            constexpr double Vector3<double>::*axes[] = {&Vector3<double>::x, &Vector3<double>::y,
+                                                         &Vector3<double>::z};
+            const auto axis = axes[attribute_channels[v.channel].axis];
+            ValuesBetween admissible{unlimited, -unlimited};
+            for (const PositionRange<double>& range : ranges)
+                if (const auto [low, high] = on_line(range, beside - ray.origin, axis); low <= high)
+                    admissible = {std::min(admissible.low, ray.origin.*axis + low),
+                                  std::max(admissible.high, ray.origin.*axis + high)};
+            if (admissible.low > admissible.high) return WrongAttribute{.channel = v.channel};
+            return told(v, admissible, right.*axis, 1);
+        };
+        std::array told{told_beside(values[0]), told_beside(values[1]), told_beside(values[2])};
+        const auto change = [](const WrongAttribute& wrong) {
+            return wrong.error_over_bound > 1 ? std::max(wrong.low - wrong.value, wrong.value - wrong.high)
+                                              : unlimited;
+        };
+        const WrongAttribute& least = *std::ranges::min_element(told, {}, change);
+        if (least.error_over_bound > 1) return least;
+    }
     return worst_of(values, [&](const InterpolatedValue& v) { return told_by_range(s, places, v, 1); });
 }
 
@@ -317,13 +357,15 @@ InterpolatedValue interpolated_value(const Surface& surface, const Interpolation
     const double spread = 1 + 2 * negative;
     const double relative = share(largest, compounded(errors.relative + of_length));
     const double products = share(largest, compounded(errors.of_products + of_length));
-    const double beyond = products * spread + negative * range + underflow;
+    constexpr double any_float = 0x1p200;
+    const double beyond = std::min(any_float, products * spread + negative * range + underflow);
+    const double at_centre = share(relative, surface.spread_at_centre) + underflow;
     const bool may_shrink = errors.of_shares == InterpolationErrors::Sum::at_most_one;
     return {.channel = channel,
             .value = value,
             .at_corners = at_corners,
             .slack = relative * spread + share(range, spread * weights) + underflow,
-            .slack_at_centre = share(relative, surface.spread_at_centre) + underflow,
+            .slack_at_centre = std::isfinite(at_centre) ? at_centre : -1,
             .means = {(may_shrink ? std::min(low, 0.0) : low) - beyond,
                       (may_shrink ? std::max(high, 0.0) : high) + beyond}};
 }

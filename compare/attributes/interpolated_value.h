@@ -24,7 +24,7 @@ struct InterpolatedValue {
     float value;
     std::array<double, 3> at_corners;
     double slack;            ///< what arithmetic may do to one that is taken in the square
-    double slack_at_centre;  ///< to the one at the pixel's centre
+    double slack_at_centre;  ///< to the one at the pixel's centre; below 0 where that is none
     ValuesBetween means;     ///< of the corners' values, as computed
 };
 
@@ -36,7 +36,9 @@ InterpolatedValue interpolated_value(const Surface& surface, const Interpolation
 struct SampledSurface {
     const Surface& surface;
     InterpolationErrors errors;
-    std::array<const ViewBounds*, 2> depth_bounds;  ///< of the depth that the frame shows, and of a varying's
+    double depth;  ///< that the frame shows
+    std::array<const ViewBounds*, 2>
+        depth_bounds;  ///< of that depth, and of one that is interpolated like values
 
     double half_side() const { return surface.seen.bounds.depth_eps_px; }
 };

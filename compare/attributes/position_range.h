@@ -1,10 +1,9 @@
 /// Where a position may lie: along and across the pixel's view ray (docs/bounds.md, "Attributes").
 #pragma once
 
-#include <cmath>
+#include <optional>
 #include <vector>
 
-#include "compare/bounds/depth_bound.h"
 #include "compare/bounds/triangle_size.h"
 #include "compare/bounds/view_ray.h"
 #include "math/interval.h"
@@ -13,10 +12,11 @@
 
 namespace zproof {
 
+template <class Number>
 struct PositionLimits {
-    double half_side;       ///< of the square in which it is seen, px
-    Vector3<double> slack;  ///< what arithmetic may do to its coordinates
-    DepthBound depth;
+    double half_side;                       ///< of the square in which it is seen, px
+    Vector3<double> slack;                  ///< what arithmetic may do to its coordinates
+    std::optional<Number> least, greatest;  ///< its depth, before that
 };
 
 /// Holds the points p with normal . (p - origin of the ray) + offset >= 0.
@@ -33,11 +33,17 @@ struct PositionRange {
     std::vector<HalfSpace<Number>> across, along;
 };
 
+template <class Number>
+Number camera_depth(const ViewRay<Number>& ray, const Vector3<Number>& from_origin) {
+    const Vector3<Number> along = cross(ray.step_x, ray.step_y);
+    return dot(along, from_origin) / dot(along, ray.direction);
+}
+
 /// A point of camera depth t that is seen at (x, y) px is origin + t direction + X step_x + Y step_y, with
 /// X = t x for perspective and X = x for parallel projections. Cramer's rule gives each, times the
 /// determinant.
 template <class Number>
-PositionRange<Number> position_range(const ViewRay<Number>& ray, const PositionLimits& limits) {
+PositionRange<Number> position_range(const ViewRay<Number>& ray, const PositionLimits<Number>& limits) {
     const Vector3<Number>&d = ray.direction, &sx = ray.step_x, &sy = ray.step_y;
     const Number minus(-1), side(sign(dot(cross(sx, sy), d))), h(limits.half_side);
     const Vector3<Number> along = side * cross(sx, sy);
@@ -55,10 +61,9 @@ PositionRange<Number> position_range(const ViewRay<Number>& ray, const PositionL
             else
                 range.across.push_back({minus * outwards, h * determinant + moved(outwards)});
         }
-    if (std::isfinite(limits.depth.low))
-        range.along.push_back({along, moved(along) - Number(limits.depth.low) * determinant});
-    if (std::isfinite(limits.depth.high))
-        range.along.push_back({minus * along, moved(along) + Number(limits.depth.high) * determinant});
+    if (limits.least) range.along.push_back({along, moved(along) - *limits.least * determinant});
+    if (limits.greatest)
+        range.along.push_back({minus * along, moved(along) + *limits.greatest * determinant});
     return range;
 }
 
