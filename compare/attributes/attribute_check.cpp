@@ -38,6 +38,8 @@ std::vector<Attribute> given_attributes(const Attributes& given) {
     return attributes;
 }
 
+}  // namespace
+
 std::vector<Attribute> judged_attributes(const Scene& scene, const View& view, const Attributes& given,
                                          const Precision& precision) {
     std::vector<Attribute> judged;
@@ -45,8 +47,6 @@ std::vector<Attribute> judged_attributes(const Scene& scene, const View& view, c
     std::erase_if(judged, [&](Attribute attribute) { return !scene_has(scene, attribute); });
     return judged;
 }
-
-}  // namespace
 
 AttributeCheck::AttributeCheck(const Scene& scene, const View& view, const Frame& frame,
                                const Precision& precision)

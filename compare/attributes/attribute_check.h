@@ -34,6 +34,10 @@ class AttributeCheck {
     std::vector<Attribute> judged_;
 };
 
+/// The attributes that a frame gives and that are judged.
+std::vector<Attribute> judged_attributes(const Scene& scene, const View& view, const Attributes& given,
+                                         const Precision& precision);
+
 /// The attributes that a frame gives and nobody can judge, each with its reason: "normal: the scene has
 /// none".
 std::vector<std::string> unjudged_attributes(const Scene& scene, const View& view, const Attributes& given,
