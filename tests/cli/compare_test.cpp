@@ -113,9 +113,9 @@ TEST_F(StoredFrames, SayWhichChannelsAreNearlyAttributes) {
         write_planes(folder.path() / file, planes, {});
     };
     write("misnamed.exr", {"uv.x", "Uv.v", "L.normal.x", "bary_u", "R", "spectrum.u"});
-    const std::vector<std::string> remarks{"channel 'L.normal.x': not judged; did you mean 'normal.X'?",
+    const std::vector<std::string> remarks{"channel 'bary_u': not judged; did you mean 'bary.u'?",
+                                           "channel 'L.normal.x': not judged; did you mean 'normal.X'?",
                                            "channel 'Uv.v': not judged; did you mean 'uv.v'?",
-                                           "channel 'bary_u': not judged; did you mean 'bary.u'?",
                                            "channel 'uv.x': not judged; did you mean 'uv.u'?"};
     const Ran compared = run(folder, {"compare", "misnamed.exr", "two.gltf"});
     EXPECT_EQ(compared.exit_code, 0) << compared.out << compared.err;
