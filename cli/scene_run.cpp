@@ -8,6 +8,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "cli/attribute_remarks.h"
 #include "cli/interrupt.h"
 #include "cli/memory.h"
 #include "cli/oracle_answers.h"
@@ -18,7 +19,6 @@
 #include "cli/usage_error.h"
 #include "cli/view_result.h"
 #include "cli/viewer_evidence.h"
-#include "compare/attributes/attribute_check.h"
 #include "compare/diagnosis/diagnosis.h"
 #include "compare/judge.h"
 #include "oracle/oracle_error.h"
@@ -144,13 +144,16 @@ ViewResult unjudged(const SceneSource& source, const View& view, Outcome outcome
     return result;
 }
 
-/// Attributes that the candidate gives and nobody can judge; told once in a run.
+/// What is judged of the candidate's attributes, and what is not; told once in a run.
 std::vector<std::string> remark_on_attributes(const ViewRun& view_run, const Attributes& given) {
     const Renderer& candidate = view_run.opened.candidate;
     std::vector<std::string> remarks =
-        unjudged_attributes(view_run.context.scene, view_run.context.view, given, candidate.precision);
+        attribute_remarks(view_run.context.scene, view_run.context.view, given, candidate.precision);
     if (candidate.labels && given.are_given())
         remarks = {"attributes: not judged, since the frame names no triangles"};
+    if (candidate.channels)
+        for (const std::string& misnamed : misnamed_attributes(candidate.channels(view_run.context.view)))
+            remarks.push_back(misnamed);
     for (const std::string& remark : remarks) view_run.config.progress.remark(remark);
     return remarks;
 }

@@ -25,6 +25,29 @@ std::optional<ChannelPlace> place_of_channel(const ImageFile& file, int part_of_
     return std::nullopt;
 }
 
+/// "L." of "L.bary.u" and "" of "bary.u"; nothing of other names.
+std::optional<std::string> layer_of(const std::string& name, std::string_view attribute_channel) {
+    if (!name.ends_with(attribute_channel)) return std::nullopt;
+    std::string layer = name.substr(0, name.size() - attribute_channel.size());
+    return layer.empty() || layer.ends_with('.') ? std::optional(layer) : std::nullopt;
+}
+
+/// The layer that an attribute is taken from, by its first channel: that without a name, that of the depths,
+/// or the first.
+std::string layer_of(const ImageFile& file, const ChannelPlace& depths, Attribute attribute) {
+    const auto first = std::ranges::find(attribute_channels, attribute, &AttributeChannel::attribute);
+    const std::string& depth = file.channel(depths).name;
+    const std::string of_depths = depth.substr(0, depth.rfind('.') + 1);
+    std::optional<std::string> found;
+    for (const Part& part : file.parts())
+        for (const Channel& channel : part.channels) {
+            const auto layer = layer_of(channel.name, first->name);
+            if (layer && (!found || layer->empty() || (*layer == of_depths && !found->empty())))
+                found = layer;
+        }
+    return found.value_or("");
+}
+
 void require_float(const ImageFile& file, const ChannelPlace& place, Resolution size) {
     const Channel& channel = file.channel(place);
     if (channel.sample != Sample::float32)
@@ -48,11 +71,13 @@ void require_whole(const ImageFile& file, const Attributes& attributes) {
 
 }  // namespace
 
-Attributes read_attributes(const ImageFile& file, int part_of_depths, Resolution size) {
+Attributes read_attributes(const ImageFile& file, const ChannelPlace& depths, Resolution size) {
     Attributes attributes;
     std::vector<WantedChannel> wanted;
     for (std::size_t c = 0; c < attribute_channels.size(); ++c) {
-        const auto place = place_of_channel(file, part_of_depths, attribute_channels[c].name);
+        const AttributeChannel& channel = attribute_channels[c];
+        const auto place = place_of_channel(
+            file, depths.part, layer_of(file, depths, channel.attribute) + std::string(channel.name));
         if (!place) continue;
         require_float(file, *place, size);
         Plane<float>& plane = attributes.planes[c] = Plane<float>(size);

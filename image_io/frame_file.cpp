@@ -88,7 +88,7 @@ class StoredPlanes {
             depth_file_.read(std::array{ids, depths});
         else
             depth_file_.read({&depths, 1});
-        frame.attributes = read_attributes(depth_file_, depth_place_.part, size_);
+        frame.attributes = read_attributes(depth_file_, depth_place_, size_);
         return frame;
     }
 

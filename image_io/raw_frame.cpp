@@ -149,7 +149,7 @@ class RawPlanes {
         RawFrame frame{.primitive = std::nullopt,
                        .why_no_ids = why_no_ids_,
                        .stored_depth = Plane<double>(size_, std::numeric_limits<double>::infinity()),
-                       .attributes = read_attributes(depth_file(), depth_place_.part, size_)};
+                       .attributes = read_attributes(depth_file(), depth_place_, size_)};
         if (id_places_.size() == 1) frame.primitive = ids();
         if (id_places_.size() == 3) frame.primitive = codes();
         const WantedChannel wanted{depth_place_, [&](const SampleRow& row) {
@@ -271,6 +271,14 @@ RawFrame read_raw_frame(const fs::path& file, const Convention& convention) {
 
 Resolution raw_frame_size(const fs::path& file, const Convention& convention) {
     return RawPlanes(file, convention).size();
+}
+
+std::vector<std::string> depth_file_channels(const fs::path& file) {
+    const ImageFile opened(frame_files(file).depths, "a frame");
+    std::vector<std::string> names;
+    for (const Part& part : opened.parts())
+        for (const Channel& channel : part.channels) names.push_back(channel.name);
+    return names;
 }
 
 }  // namespace zproof

@@ -25,4 +25,7 @@ RawFrame read_raw_frame(const std::filesystem::path& file, const Convention& con
 /// The size of that frame, from the headers alone.
 Resolution raw_frame_size(const std::filesystem::path& file, const Convention& convention);
 
+/// The names of all channels of the file that has the depths, and attributes if any. Throws FrameError.
+std::vector<std::string> depth_file_channels(const std::filesystem::path& file);
+
 }  // namespace zproof

@@ -146,6 +146,14 @@ Frame External::render(const View& view) const {
     });
 }
 
+std::vector<std::string> External::channels() const {
+    try {
+        return stored_frame_channels(answer_at(folder_->path() / "frame.exr"), time_limit_);
+    } catch (const FrameError&) {
+        return {};
+    }
+}
+
 Picture External::render_picture(const View& view) const {
     return answer(view, [&](const fs::path& file, std::chrono::milliseconds time_limit) {
         return read_stored_picture(file, view, time_limit);

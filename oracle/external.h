@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "frame/convention.h"
 #include "frame/frame.h"
@@ -35,6 +36,8 @@ class External {
     /// {out}, or {out}.SUFFIX, or two files, {out}.id.SUFFIX and {out}.depth.SUFFIX. The values themselves
     /// are not judged here.
     Frame render(const View& view) const;
+    /// The names of the channels of the file that the last render() read; none where there is none.
+    std::vector<std::string> channels() const;
     /// The same of a program that writes a picture: R, G and B, in linear light.
     Picture render_picture(const View& view) const;
 

@@ -1,5 +1,8 @@
 #include "rasterizer/surface.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace zproof::rasterizer {
 
 PixelRay pixel_ray(const View& view, double x_raster, double y_raster) {
@@ -21,13 +24,16 @@ PixelRays pixel_rays(const View& view) {
 }
 
 Barycentrics barycentrics(const PixelRay& line, const std::array<glm::dvec3, 3>& corners_from_eye) {
-    const auto& [a, b, c] = corners_from_eye;
+    const glm::dvec3 a = corners_from_eye[0] - line.from, b = corners_from_eye[1] - line.from,
+                     c = corners_from_eye[2] - line.from;
     const auto weight = [&](const glm::dvec3& p, const glm::dvec3& q) {
-        return glm::dot(glm::cross(p - line.from, q - line.from), line.to);
+        return glm::dot(glm::cross(p, q), line.to);
     };
     const Barycentrics w{weight(b, c), weight(c, a), weight(a, b)};
     const double sum = w[0] + w[1] + w[2];
-    if (sum == 0) return {1.0 / 3, 1.0 / 3, 1.0 / 3};
+    // each weight has 5 roundings of products that are no larger than this
+    const double product = std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(c, c)}) * glm::length(line.to);
+    if (std::abs(sum) <= 0x1p-49 * product) return {1.0 / 3, 1.0 / 3, 1.0 / 3};
     return {w[0] / sum, w[1] / sum, w[2] / sum};
 }
 

@@ -24,7 +24,7 @@ struct PixelRays {
 PixelRays pixel_rays(const View& view);
 
 /// Perspective-correct barycentrics of the point where the line meets the triangle's plane; they add up to 1.
-/// A third each where the triangle is seen edge-on.
+/// A third each where the triangle is seen edge-on, or double cannot tell.
 using Barycentrics = std::array<double, 3>;
 Barycentrics barycentrics(const PixelRay& line, const std::array<glm::dvec3, 3>& corners_from_eye);
 

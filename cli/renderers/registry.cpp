@@ -30,6 +30,7 @@ struct Answers {
     std::function<Frame(const View&)> render;
     std::function<Picture(const View&, const Light&)> paint{};  ///< empty: has no colours of its own
     std::function<BegunSample(const View&, std::uint64_t seed)> begin_sample{};  ///< as Renderer's
+    std::function<std::vector<std::string>(const View&)> channels{};             ///< as Renderer's
 };
 
 /// One that zproof knows by name. A new one is a row in `known`.
@@ -113,7 +114,8 @@ Precision own_promise(const RendererChoice& choice) {
 }
 
 Answers stored(const RendererChoice& choice) {
-    return {[choice](const View& view) {
+    Answers answers;
+    answers.render = [choice](const View& view) {
         const RendererChoice one = at_sample(choice, view.sample);
         const Convention convention = declared_convention(one);
         try {
@@ -122,19 +124,28 @@ Answers stored(const RendererChoice& choice) {
         } catch (const FrameError& e) {
             throw OracleError{e.what()};  // the view cannot be judged; the others can
         }
-    }};
+    };
+    answers.channels = [choice](const View& view) {
+        const RendererChoice one = at_sample(choice, view.sample);
+        return oracle::stored_frame_channels(std::get<StoredFrame>(one.who).file, one.time_limit);
+    };
+    return answers;
 }
 
 Answers program(const RendererChoice& choice, const Scene& scene) {
     const auto external = std::make_shared<const oracle::External>(
         scene, std::get<Program>(choice.who).command, choice.time_limit, declared_convention(choice),
         id_channel_of(choice));
-    if (!choice.kept_input) return {[external](const View& view) { return external->render(view); }};
+    Answers answers;
+    answers.render = [external](const View& view) { return external->render(view); };
+    answers.channels = [external](const View&) { return external->channels(); };
+    if (!choice.kept_input) return answers;
     const std::string name = choice.kept_input->keep(scene);
-    return {[external, name, kept_input = choice.kept_input](const View& view) {
+    answers.render = [external, name, kept_input = choice.kept_input](const View& view) {
         kept_input->keep(name, view);
         return external->render(view);
-    }};
+    };
+    return answers;
 }
 
 Answers answers_on(const RendererChoice& choice, const Scene& scene) {
@@ -224,6 +235,7 @@ Renderer open(const RendererChoice& choice, const Scene& scene) {
             .render = std::move(answers.render),
             .paint = std::move(answers.paint),
             .begin_sample = std::move(answers.begin_sample),
+            .channels = std::move(answers.channels),
             .labels = std::move(labels)};
 }
 

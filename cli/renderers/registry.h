@@ -38,6 +38,9 @@ struct Renderer {
     /// Begins on as much of a view as a known price buys, drawn by the seed. Empty: it is asked about all
     /// pixels.
     std::function<BegunSample(const View&, std::uint64_t seed)> begin_sample;
+    /// The names of the channels of the file that it gave for this view, once it has; empty: it gives no
+    /// file.
+    std::function<std::vector<std::string>(const View&)> channels;
     std::shared_ptr<const TriangleLabels> labels;  ///< what its ids stand for; nothing: triangles
 };
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/attributes/interpolation_errors.h"
+#include "compare/attributes/interpolated_value.h"
 #include "compare/attributes/wrong_attribute.h"
 #include "compare/bounds/bounds.h"
 #include "compare/bounds/pixel_coord.h"
@@ -14,22 +14,6 @@
 #include "frame/frame.h"
 
 namespace zproof {
-
-/// Values between two ends; none where the first is the greater.
-struct ValuesBetween {
-    double low = unlimited, high = -unlimited;
-
-    bool holds(double value) const { return value >= low && value <= high; }
-};
-
-/// One number of an attribute at a pixel, and what it interpolates.
-struct InterpolatedValue {
-    std::size_t channel;
-    float value;
-    std::array<double, 3> at_corners;
-    double slack;            ///< what arithmetic may do to it
-    ValuesBetween by_depth;  ///< admissible as well
-};
 
 class AttributeCheck {
   public:
@@ -42,10 +26,6 @@ class AttributeCheck {
     std::optional<WrongAttribute> first_wrong(const PixelCoord& pixel) const;
 
   private:
-    std::vector<InterpolatedValue> values_of(Attribute attribute, const Surface& surface,
-                                             const InterpolationErrors& errors,
-                                             const glm::uvec3& triangle) const;
-
     const Scene& scene_;
     ViewFacts facts_;
     const Frame& frame_;
@@ -53,6 +33,10 @@ class AttributeCheck {
     ViewBounds varying_bounds_, shown_bounds_;
     std::vector<Attribute> judged_;
 };
+
+/// The attributes that a frame gives and that are judged.
+std::vector<Attribute> judged_attributes(const Scene& scene, const View& view, const Attributes& given,
+                                         const Precision& precision);
 
 /// The attributes that a frame gives and nobody can judge, each with its reason: "normal: the scene has
 /// none".

@@ -36,10 +36,26 @@ bool has_exact_coverage(const RasterPrecision& precision) {
     return precision.edge_functions == EdgeFunctions::exact && precision.barycentric_tolerance == 0;
 }
 
-InterpolationErrors errors_of(const RasterPrecision& precision, const Surface& s) {
-    InterpolationErrors errors{.relative = relative_of_depth(s)};
-    if (precision.edge_functions != EdgeFunctions::homogeneous && is_cut(precision, s))
-        errors.relative += gamma(4 * 6, unit_of(precision.transform));
+/// Weights in the window are at least -tolerance. Perspective divides them by their corners' depths, and
+/// their sum becomes 1 / depth.
+double negative_weights(const RasterPrecision& precision, const Surface& s, double depth) {
+    const double tolerance = 3 * precision.barycentric_tolerance;
+    if (!s.facts.perspective || tolerance == 0) return tolerance;
+    return tolerance * std::max(1.0, depth / s.bounds.nearest);
+}
+
+InterpolationErrors errors_of(const RasterPrecision& precision, const Surface& s, double depth) {
+    const double mean =
+        gamma(precision.depth_roundings, unit_roundoff_float32) + gammas_of(precision.interpolation)[8];
+    InterpolationErrors errors{.relative = relative_of_depth(s),
+                               .of_products = 2 * mean + unit_roundoff_float32,
+                               .negative = negative_weights(precision, s, depth)};
+    if (precision.edge_functions != EdgeFunctions::homogeneous && is_cut(precision, s)) {
+        const double clipping = gamma(4 * 6, unit_of(precision.transform));
+        errors.relative += clipping;
+        errors.of_products += clipping;
+    }
+    if (precision.area_epsilon_px2 > 0) errors.of_shares = InterpolationErrors::Sum::at_most_one;
     if (has_exact_coverage(precision)) return errors;
     errors.sampled = SampledPlaces::anywhere;
     if (s.bounds.inverse_depth_error == 0) return errors;
@@ -73,19 +89,25 @@ double weights_error(const RayPrecision& precision, const Surface& s) {
     return unlimited;
 }
 
-InterpolationErrors errors_of(const RayPrecision& precision, const Surface& s) {
-    return {.relative = gamma(8, unit_of(precision.arithmetic)) + unit_roundoff_float32,
-            .of_weights = weights_error(precision, s) / s.least_sum,
+/// A Pluecker test lets weights down to -2 u of their sum.
+InterpolationErrors errors_of(const RayPrecision& precision, const Surface& s, double) {
+    const double unit = unit_of(precision.arithmetic), products = gamma(8, unit) + unit_roundoff_float32;
+    return {.relative = products,
+            .of_products = products,
+            .of_weights = s.least_sum > 0 ? weights_error(precision, s) / s.least_sum : unlimited,
+            .negative = 3 * (precision.barycentric_tolerance + 2 * unit),
             .sampled = SampledPlaces::anywhere};
 }
 
-InterpolationErrors errors_of(const BoundedPrecision&, const Surface& s) {
-    return {.relative = relative_of_depth(s)};
+/// Both sums err by depth_relative: their quotient by (1 + r) / (1 - r) at most.
+InterpolationErrors errors_of(const BoundedPrecision& precision, const Surface& s, double) {
+    const double r = precision.depth_relative;
+    return {.relative = relative_of_depth(s), .of_products = 2 * r / (1 + r) + unit_roundoff_float32};
 }
 
 /// It promises nothing (promises_attributes()).
-InterpolationErrors errors_of(const PlaneRayPrecision&, const Surface&) {
-    return {.relative = unlimited, .of_weights = unlimited};
+InterpolationErrors errors_of(const PlaneRayPrecision&, const Surface&, double) {
+    return {.relative = unlimited, .of_products = unlimited, .of_weights = unlimited};
 }
 
 }  // namespace
@@ -94,6 +116,7 @@ bool promises_attributes(const Precision& precision, Projection projection) {
     if (const auto* raster = std::get_if<RasterPrecision>(&precision))
         return raster->depth_interpolation == DepthInterpolation::barycentrics &&
                (projection == Projection::perspective || raster->edge_functions == EdgeFunctions::exact);
+    if (const auto* bounded = std::get_if<BoundedPrecision>(&precision)) return bounded->depth_relative < 1;
     return !std::holds_alternative<PlaneRayPrecision>(precision);
 }
 
@@ -104,8 +127,8 @@ Precision varying_precision(const Precision& precision) {
     return varying;
 }
 
-InterpolationErrors interpolation_errors(const Precision& precision, const Surface& surface) {
-    return std::visit([&](const auto& p) { return errors_of(p, surface); }, precision);
+InterpolationErrors interpolation_errors(const Precision& precision, const Surface& surface, double depth) {
+    return std::visit([&](const auto& p) { return errors_of(p, surface, depth); }, precision);
 }
 
 }  // namespace zproof

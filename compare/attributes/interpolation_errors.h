@@ -9,8 +9,11 @@
 namespace zproof {
 
 struct InterpolationErrors {
-    double relative = 0;    ///< of every product of a weight and a value
-    double of_weights = 0;  ///< sum of the weights' own errors, as a share of their sum
+    double relative = 0;     ///< of every product of a weight and a value
+    double of_products = 0;  ///< the same without the errors of weights that leave them above 0
+    double of_weights = 0;   ///< sum of the weights' own errors, as a share of their sum
+    double negative = 0;     ///< what weights as computed may be below 0 in all, as a share of their sum
+    enum class Sum { one, at_most_one } of_shares = Sum::one;  ///< what the weights' shares may add up to
     SampledPlaces sampled = SampledPlaces::on_triangle;
 };
 
@@ -20,6 +23,7 @@ bool promises_attributes(const Precision& precision, Projection projection);
 Precision varying_precision(const Precision& precision);
 
 /// The precision must promise attributes, and the surface be measured by the bounds of varying_precision().
-InterpolationErrors interpolation_errors(const Precision& precision, const Surface& surface);
+/// `depth` is what the frame shows there.
+InterpolationErrors interpolation_errors(const Precision& precision, const Surface& surface, double depth);
 
 }  // namespace zproof

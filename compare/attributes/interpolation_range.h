@@ -33,7 +33,7 @@ Weights<Number> weights_at(const TriangleImage<Number>& image, const Number& x, 
 
 /// Where in the square a renderer may have taken its values.
 enum class SampledPlaces {
-    on_triangle,  ///< on the triangle, or at the pixel's centre
+    on_triangle,  ///< on the triangle
     anywhere,     ///< on its plane
 };
 
@@ -65,23 +65,24 @@ template <class Number>
 Number least(const Number& a, const Number& b) {
     return b < a ? b : a;
 }
+template <class Number>
+Number greatest(const Number& a, const Number& b) {
+    return -least(Number(-a), Number(-b));
+}
 
 }  // namespace detail
 
-/// The places at which values are extreme: the corners of the square, or of its part within the triangle, and
-/// the centre. Those of the triangle where it does not meet the square. The sum of weights must be above 0 in
-/// all of the square.
+/// The places at which values are extreme: the corners of the square, or of its part within the triangle;
+/// none where the triangle does not meet the square. The sum of weights must be above 0 at all of them. On
+/// the triangle it is.
 template <class Number>
 std::vector<Weights<Number>> extreme_places(const TriangleImage<Number>& image, double half_side,
                                             SampledPlaces sampled) {
-    const Number h(half_side), l(-half_side), zero(0), one(1);
+    const Number h(half_side), l(-half_side);
     detail::Points<Number> points{{l, l}, {h, l}, {h, h}, {l, h}};
     if (sampled == SampledPlaces::on_triangle)
         for (const Affine<Number>& edge : image.edge) points = detail::part_inside(points, edge);
-    std::vector<Weights<Number>> places{weights_at(image, zero, zero)};
-    if (points.empty())
-        places.insert(places.end(),
-                      {{{one, zero, zero}, one}, {{zero, one, zero}, one}, {{zero, zero, one}, one}});
+    std::vector<Weights<Number>> places;
     for (const auto& [x, y] : points) places.push_back(weights_at(image, x, y));
     return places;
 }
@@ -91,18 +92,16 @@ struct ValueRange {
     Number low, high;
 };
 
-/// The least and the greatest value at these places.
+/// The least and the greatest value at these places, of which there must be some.
 template <class Number>
 ValueRange<Number> range_of(const std::vector<Weights<Number>>& places,
                             const std::array<double, 3>& at_corners) {
-    const Number first = places.front().blend(at_corners);
-    ValueRange<Number> range{first, -first};
+    ValueRange<Number> range{places.front().blend(at_corners), places.front().blend(at_corners)};
     for (const Weights<Number>& place : places) {
         const Number value = place.blend(at_corners);
         range.low = detail::least(range.low, value);
-        range.high = detail::least(range.high, Number(-value));
+        range.high = detail::greatest(range.high, value);
     }
-    range.high = -range.high;
     return range;
 }
 

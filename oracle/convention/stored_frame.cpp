@@ -79,4 +79,26 @@ Resolution stored_frame_size(const fs::path& file, const Convention& convention,
     return size;
 }
 
+std::vector<std::string> stored_frame_channels(const fs::path& file,
+                                               std::chrono::milliseconds time_limit) try {
+    image_io::load_module();
+    const Bytes bytes = isolated(file.string(), {reader_memory_bytes, time_limit}, [&] {
+        Bytes all;
+        for (const std::string& name : depth_file_channels(file))
+            for (const char* c = name.c_str(); c <= name.c_str() + name.size(); ++c)
+                all.push_back(std::byte(*c));
+        return all;
+    });
+    std::vector<std::string> names{""};
+    for (const std::byte byte : bytes) {
+        if (byte == std::byte{0})
+            names.emplace_back();
+        else
+            names.back() += char(byte);
+    }
+    return names;
+} catch (const FrameError&) {
+    return {};
+}
+
 }  // namespace zproof::oracle

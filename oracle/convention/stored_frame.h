@@ -3,6 +3,8 @@
 
 #include <chrono>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "frame/convention.h"
 #include "frame/frame.h"
@@ -27,5 +29,10 @@ Frame read_stored_frame(const std::filesystem::path& file, const Convention& con
 Resolution stored_frame_size(const std::filesystem::path& file, const Convention& convention,
                              IdChannel ids = IdChannel::present,
                              std::chrono::milliseconds time_limit = usual_read_limit);
+
+/// The names of the channels of such a frame's depths' file, from the headers alone; none where it cannot be
+/// read.
+std::vector<std::string> stored_frame_channels(const std::filesystem::path& file,
+                                               std::chrono::milliseconds time_limit = usual_read_limit);
 
 }  // namespace zproof::oracle

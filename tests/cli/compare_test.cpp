@@ -1,6 +1,7 @@
 // zproof compare, and everything else that is told of renderers, on the real program.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -67,6 +68,8 @@ TEST_F(StoredFrames, AreJudgedByTheirAttributesToo) {
     const Ran right = run(folder, {"compare", "with/frame-all.exr", "two.gltf"});
     EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
     EXPECT_EQ(right.err.find("not judged"), std::string::npos) << right.err;
+    EXPECT_NE(right.err.find("attributes judged: bary, position"), std::string::npos) << right.err;
+    EXPECT_EQ(only_view().at("notes").back(), "attributes judged: bary, position");
 
     Frame frame = read_frame(folder.path() / "with/frame-all.exr");
     ASSERT_TRUE(frame.attributes.has(Attribute::barycentrics));
@@ -95,6 +98,40 @@ TEST_F(StoredFrames, AreJudgedByTheirAttributesToo) {
                                   "64", "--height", "48"});
     EXPECT_EQ(told.exit_code, 1) << told.out << told.err;
     EXPECT_NE(told.out.find("an attribute is not: bary.u is "), std::string::npos) << told.out;
+}
+
+/// A channel that looks like an attribute and is none is named, whoever wrote the file; a layer's are judged.
+TEST_F(StoredFrames, SayWhichChannelsAreNearlyAttributes) {
+    const Frame frame = read_frame(folder.path() / "zproof/frame-all.exr");
+    const Plane<float> garbage(frame.size(), 7);
+    Plane<std::uint32_t> ids(frame.size());
+    std::ranges::transform(frame.primitive.pixels(), ids.pixels().begin(),
+                           [](PrimitiveId id) { return std::uint32_t(id); });
+    const auto write = [&](const std::string& file, const std::vector<std::string>& names) {
+        std::vector<NamedPlane> planes{{"id", &ids}, {"Z", &frame.camera_depth}};
+        for (const std::string& name : names) planes.push_back({name, &garbage});
+        write_planes(folder.path() / file, planes, {});
+    };
+    write("misnamed.exr", {"uv.x", "Uv.v", "L.normal.x", "bary_u", "R", "spectrum.u"});
+    const std::vector<std::string> remarks{"channel 'bary_u': not judged; did you mean 'bary.u'?",
+                                           "channel 'L.normal.x': not judged; did you mean 'normal.X'?",
+                                           "channel 'Uv.v': not judged; did you mean 'uv.v'?",
+                                           "channel 'uv.x': not judged; did you mean 'uv.u'?"};
+    const Ran compared = run(folder, {"compare", "misnamed.exr", "two.gltf"});
+    EXPECT_EQ(compared.exit_code, 0) << compared.out << compared.err;
+    for (const std::string& remark : remarks)
+        EXPECT_NE(compared.err.find(remark), std::string::npos) << compared.err;
+    EXPECT_NE(folder.read("zproof-out/report.html").find("did you mean"), std::string::npos);
+    EXPECT_EQ(only_view().at("notes"), json(remarks));
+    const Ran program = run(folder, {"run", "two.gltf", "--renderer", "cp misnamed.exr {out}", "--width",
+                                     "64", "--height", "48"});
+    EXPECT_EQ(program.exit_code, 0) << program.out << program.err;
+    EXPECT_EQ(only_view().at("notes"), json(remarks));
+
+    write("layer.exr", {"L.bary.u", "L.bary.v"});
+    const Ran layer = run(folder, {"compare", "layer.exr", "two.gltf"});
+    EXPECT_EQ(layer.exit_code, 1) << layer.out << layer.err;
+    EXPECT_EQ(only_view().at("notes"), json({"attributes judged: bary"}));
 }
 
 TEST_F(StoredFrames, AWrongPixelOfTheReferenceDoesNotFail) {
