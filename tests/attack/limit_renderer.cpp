@@ -17,10 +17,13 @@ std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {  // splitmix64 (Steele, 
     return z ^ (z >> 31);
 }
 
+/// Of a triangle that is cut; each moves by itself where nothing else is promised.
+constexpr std::size_t most_pieces = 16;
+
 /// The same number for corners at the same place: what is one corner in the scene moves as one.
-std::uint64_t lot_of(const Image<double>& image, std::size_t corner, std::size_t triangle,
+std::uint64_t lot_of(const Image<double>& image, std::size_t corner, std::size_t piece,
                      const Limits& limits) {
-    std::uint64_t lot = mixed(limits.seed, limits.sharing == Sharing::apart ? triangle + 1 : 0);
+    std::uint64_t lot = mixed(limits.seed, limits.sharing == Sharing::apart ? piece + 1 : 0);
     lot = mixed(lot, std::bit_cast<std::uint64_t>(image[corner].x + 0.0));
     return mixed(lot, std::bit_cast<std::uint64_t>(image[corner].y + 0.0));
 }
@@ -68,14 +71,14 @@ struct Ways {
     bool right, down;
 };
 
-Ways ways_of(const Image<double>& image, std::size_t corner, std::size_t triangle, const Limits& limits) {
+Ways ways_of(const Image<double>& image, std::size_t corner, std::size_t piece, const Limits& limits) {
     Place<double> middle;
     for (const auto& c : image)
         middle.x += c.x / double(image.size()), middle.y += c.y / double(image.size());
     const Ways outwards{image[corner].x > middle.x, image[corner].y > middle.y};
     const std::uint64_t lot = limits.movement == Movement::one_way
-                                  ? mixed(limits.seed, limits.sharing == Sharing::apart ? triangle : 0)
-                                  : lot_of(image, corner, triangle, limits);
+                                  ? mixed(limits.seed, limits.sharing == Sharing::apart ? piece : 0)
+                                  : lot_of(image, corner, piece, limits);
     switch (limits.movement) {
         case Movement::grow:
             return outwards;
@@ -119,9 +122,9 @@ class Drawing {
     }
 
   private:
-    FixedPoint moved(std::size_t triangle, std::size_t corner) {
+    FixedPoint moved(std::size_t triangle, std::size_t corner, std::size_t piece) {
         const ExactImage& image = scene_.image(triangle);
-        const Ways ways = ways_of(scene_.rounded(triangle), corner, triangle, limits_);
+        const Ways ways = ways_of(scene_.rounded(triangle), corner, most_pieces * triangle + piece, limits_);
         const bool is_alike = limits_.sharing == Sharing::alike;
         const std::pair key{scene_.rounded(triangle)[corner].x, scene_.rounded(triangle)[corner].y};
         if (is_alike)
@@ -134,10 +137,8 @@ class Drawing {
     void draw(std::size_t triangle) {
         const Image<double>& image = scene_.rounded(triangle);
         if (image.size() < 3) return;
-        std::vector<FixedPoint> at;
-        for (std::size_t i = 0; i < image.size(); ++i) at.push_back(moved(triangle, i));
         for (std::size_t i = 2; i < image.size(); ++i)
-            draw_piece(triangle, {at[0], at[i - 1], at[i]},
+            draw_piece(triangle, {moved(triangle, 0, i), moved(triangle, i - 1, i), moved(triangle, i, i)},
                        {image[0].front, image[i - 1].front, image[i].front});
     }
 

@@ -50,38 +50,40 @@ std::string depth_words(const BoundedPrecision& p) {
     return text.str();
 }
 
-void plant(const AttackScene& scene, std::uint64_t seed, Tallies& tallies) {
+void plant(const AttackScene& scene, Tallies& tallies) {
     const Trial trial(scene);
     constexpr double share = 1e-6;
-    const WrongPlaces wrong(trial, share);
-    const std::vector<double> needs = wrong.needs();
-    for (const double factor : {1.01, 1.1, 2.0})
-        for (const std::size_t of_all : {2, 4, 8}) {
-            if (needs.empty()) continue;
-            const double eps_px = needs[needs.size() / of_all] / factor;
-            if (eps_px < 0x1p-18) continue;
-            for (const bool is_watertight : {true, false}) {
+    for (const Sharing sharing : {Sharing::alike, Sharing::apart}) {
+        const WrongPlaces wrong(trial, share, sharing);
+        const std::vector<double> needs = wrong.needs();
+        if (needs.empty()) continue;
+        for (const double factor : {1.01, 1.1, 2.0})
+            for (const std::size_t of_all : {2, 4, 8}) {
+                const double eps_px = needs[needs.size() / of_all] / factor;
+                if (eps_px < 0x1p-18) continue;
                 const BoundedPrecision promise{
-                    .eps_px = eps_px, .depth_relative = share, .watertight = is_watertight};
+                    .eps_px = eps_px, .depth_relative = share, .watertight = sharing == Sharing::alike};
                 const PlantedFrame planted = wrong.planted(eps_px, factor);
                 hold(planted, trial.judge_of(planted.frame, promise),
                      scene.name + " eps_px=" + std::to_string(eps_px),
-                     is_watertight ? "displacement" : "displacement, apart", tallies);
+                     promise.watertight ? "displacement" : "displacement, apart", tallies);
             }
-        }
+    }
     for (const double factor : {1.01, 1.1, 2.0})
         for (const BoundedPrecision& promise : {BoundedPrecision{.eps_px = 1e-5, .depth_relative = 1e-5},
                                                 BoundedPrecision{.eps_px = 0.01, .depth_relative = 1e-4},
                                                 BoundedPrecision{.eps_px = 1e-5, .depth_absolute = 0.01},
-                                                BoundedPrecision{.eps_px = 0.1, .depth_relative = 0.5}}) {
-            const PlantedFrame planted = with_wrong_depths(trial, promise, factor, seed++);
-            hold(planted, trial.judge_of(planted.frame, promise), scene.name, depth_words(promise), tallies);
-        }
+                                                BoundedPrecision{.eps_px = 0.1, .depth_relative = 0.5}})
+            for (const DepthFrom from : {DepthFrom::square, DepthFrom::own_part}) {
+                const PlantedFrame planted = with_wrong_depths(trial, promise, from, factor);
+                hold(planted, trial.judge_of(planted.frame, promise), scene.name,
+                     depth_words(promise) + (from == DepthFrom::own_part ? ", own part" : ""), tallies);
+            }
 }
 
 TEST(TightBeyond, InHandMadeScenes) {
     Tallies tallies;
-    for (const AttackScene& scene : hand_made_scenes()) plant(scene, 1, tallies);
+    for (const AttackScene& scene : hand_made_scenes()) plant(scene, tallies);
     print(tallies);
 }
 
@@ -90,7 +92,7 @@ TEST(TightBeyond, InRandomScenes) {
     for (std::uint64_t n = 0; n < 36; ++n) {
         const AttackScene scene = random_attack_scene(61, n);
         if (scene.scene.triangles.size() > 60) continue;
-        plant(scene, n, tallies);
+        plant(scene, tallies);
     }
     print(tallies);
 }

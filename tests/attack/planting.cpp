@@ -24,10 +24,21 @@ void answer(Frame& frame, int x, int y, PrimitiveId id, float depth) {
 
 }  // namespace
 
-WrongPlaces::WrongPlaces(const Trial& trial, double depth_relative)
-    : trial_(trial), depth_relative_(depth_relative), at_(trial.right().size(), {}) {
+WrongPlaces::WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing)
+    : trial_(trial), depth_relative_(depth_relative), sharing_(sharing), at_(trial.right().size(), {}) {
     for (int y = 0; y < at_.size().height; ++y)
         for (int x = 0; x < at_.size().width; ++x) find(x, y);
+}
+
+/// How far its sides, and the diagonals along which it may come apart, are from p, which it covers.
+template <class N>
+N WrongPlaces::held_within(const Image<N>& image, const Place<N>& p) const {
+    N least = inset_of(image, p);
+    if (sharing_ == Sharing::alike) return least;
+    for (std::size_t i = 0; i < image.size(); ++i)
+        for (std::size_t k = i + 2; k < image.size(); ++k)
+            least = std::min<N>(least, distance_to_side(image[i], image[k], p));
+    return least;
 }
 
 /// By rounded numbers: exact_factor() says whether it is true.
@@ -43,7 +54,7 @@ void WrongPlaces::find(int x, int y) {
             at_.at(x, y).push_back({PixelClass::outside, PrimitiveId(t), t, *distance});
         if (*distance > 0) continue;
         covering.push_back(t);
-        const double inset = inset_of(scene.rounded(t), p);
+        const double inset = held_within(scene.rounded(t), p);
         if (inset > hole.need_px) hole.need_px = inset, hole.other = t;
     }
     if (hole.need_px > 0 && hole.need_px < most_need_px) at_.at(x, y).push_back(hole);
@@ -52,7 +63,7 @@ void WrongPlaces::find(int x, int y) {
         WrongPlace hidden{PixelClass::hidden, PrimitiveId(t), t, 0};
         for (const std::size_t other : covering) {
             if (front_at(scene.rounded(other), p).value_or(-HUGE_VAL) <= front) continue;
-            const double inset = inset_of(scene.rounded(other), p);
+            const double inset = held_within(scene.rounded(other), p);
             if (inset > hidden.need_px && hides(other, t, place_of(scene.view(), x, y), inset))
                 hidden.need_px = inset, hidden.other = other;
         }
@@ -76,7 +87,7 @@ std::optional<double> WrongPlaces::exact_factor(const WrongPlace& wrong, int x, 
     const ExactScene& scene = trial_.truth();
     const ExactPlace p = place_of(scene.view(), x, y);
     const Number need = wrong.kind == PixelClass::outside ? *distance_to(scene.image(wrong.other), p)
-                                                          : inset_of(scene.image(wrong.other), p);
+                                                          : held_within(scene.image(wrong.other), p);
     if (wrong.kind == PixelClass::hidden && !hides(wrong.other, std::size_t(wrong.primitive), p, 2 * eps_px))
         return std::nullopt;
     return double(need / Number(eps_px));
@@ -111,30 +122,57 @@ PlantedFrame WrongPlaces::planted(double eps_px, double factor) const {
     return planted;
 }
 
-PlantedFrame with_wrong_depths(const Trial& trial, const BoundedPrecision& promise, double factor,
-                               std::uint64_t seed) {
+namespace {
+
+/// Of the plane over the square; none where the triangle has no plane.
+std::optional<Extremes<Number>> plane_in_square(const ExactImage& image, const ExactPlace& p,
+                                                const Number& half_side) {
+    const auto here = front_at(image, p), right = front_at(image, {p.x + 1, p.y}),
+               below = front_at(image, {p.x, p.y + 1});
+    if (!here) return std::nullopt;
+    const Number reach = half_side * (absolute<Number>(*right - *here) + absolute<Number>(*below - *here));
+    return Extremes<Number>{*here - reach, *here + reach};
+}
+
+/// A depth beyond one end of what is permitted, and how far in units of the error there.
+struct WrongDepth {
+    float depth;
+    double factor;
+};
+
+WrongDepth beyond(const Number& end, const Number& room, double factor, bool is_far) {
+    const Number step = room * Number(factor);
+    float depth = float(double(is_far ? Number(end + step) : Number(end - step)));
+    const auto got = [&] { return Number((is_far ? Number(depth) - end : end - Number(depth)) / room); };
+    while (got() < Number(factor)) depth = std::nextafterf(depth, is_far ? HUGE_VALF : -HUGE_VALF);
+    return {depth, double(got())};
+}
+
+}  // namespace
+
+PlantedFrame with_wrong_depths(const Trial& trial, const BoundedPrecision& promise, DepthFrom from,
+                               double factor) {
     const ExactScene& scene = trial.truth();
     PlantedFrame planted{trial.right(), {}};
     const Allowance allowance = allowance_of(promise, scene.view());
+    const bool is_perspective = scene.view().camera.projection == Projection::perspective;
     for (int y = 0; y < planted.frame.size().height; ++y)
         for (int x = 0; x < planted.frame.size().width; ++x) {
             const PrimitiveId id = planted.frame.primitive.at(x, y);
             if (id == PrimitiveId::none) continue;
-            const auto front = front_in_square(scene.image(std::size_t(id)), place_of(scene.view(), x, y),
-                                               Number(promise.eps_px));
-            if (!front) continue;  // it is at the limit of what the truth is drawn with
-            const bool is_far = ((seed + std::uint64_t(x) + std::uint64_t(y)) & 1) != 0;
+            const ExactImage& image = scene.image(std::size_t(id));
+            const ExactPlace p = place_of(scene.view(), x, y);
+            const auto front = from == DepthFrom::square ? plane_in_square(image, p, Number(promise.eps_px))
+                                                         : front_in_square(image, p, Number(promise.eps_px));
+            const bool is_far = ((x + y) & 1) != 0;
+            if (!front || (is_perspective && front->least <= 0)) continue;
             const Number end = scene.depth(is_far ? front->least : front->greatest);
             const Number room =
                 absolute(end) * Number(allowance.depth_relative) + Number(allowance.depth_absolute);
-            const Number wanted =
-                is_far ? Number(end + room * Number(factor)) : Number(end - room * Number(factor));
-            float depth = float(double(wanted));
-            const auto got = [&] { return absolute<Number>(Number(depth) - end) / room; };
-            while (got() < Number(factor)) depth = std::nextafterf(depth, is_far ? HUGE_VALF : -HUGE_VALF);
-            if (depth <= 0 && scene.view().camera.near_depth >= 0) continue;
-            answer(planted.frame, x, y, id, depth);
-            planted.pixels.push_back({x, y, PixelClass::wrong_depth, double(got())});
+            const WrongDepth wrong = beyond(end, room, factor, is_far);
+            if (wrong.depth <= 0 && scene.view().camera.near_depth >= 0) continue;
+            answer(planted.frame, x, y, id, wrong.depth);
+            planted.pixels.push_back({x, y, PixelClass::wrong_depth, wrong.factor});
         }
     return planted;
 }

@@ -29,8 +29,9 @@ struct WrongPlace {
 /// A frame's worth of answers that need more displacement than some promise, by pixels.
 class WrongPlaces {
   public:
-    /// Depths may err by a share of `depth_relative`.
-    WrongPlaces(const Trial& trial, double depth_relative);
+    /// Depths may err by a share of `depth_relative`. Where pieces of a triangle that is cut move apart, a
+    /// gap may open along any of its diagonals.
+    WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing);
 
     /// Least displacements needed, of all pixels, in order.
     std::vector<double> needs() const;
@@ -42,16 +43,25 @@ class WrongPlaces {
   private:
     void find(int x, int y);
     bool hides(std::size_t occluder, std::size_t hidden, const ExactPlace& p, double half_side) const;
+    template <class N>
+    N held_within(const Image<N>& image, const Place<N>& p) const;
     std::optional<double> exact_factor(const WrongPlace& wrong, int x, int y, double eps_px) const;
 
     const Trial& trial_;
     double depth_relative_;
+    Sharing sharing_;
     Plane<std::vector<WrongPlace>> at_;
+};
+
+/// What of a triangle's plane counts for its depth at a pixel.
+enum class DepthFrom {
+    square,    ///< all of the square, as docs/bounds.md has it
+    own_part,  ///< only the triangle's own part of it: no displaced triangle has depths beyond
 };
 
 /// A frame whose ids are true, and whose depths lie beyond what the promise permits by `factor`, on either
 /// side. Triangles may be displaced by the promise's eps.
-PlantedFrame with_wrong_depths(const Trial& trial, const BoundedPrecision& promise, double factor,
-                               std::uint64_t seed);
+PlantedFrame with_wrong_depths(const Trial& trial, const BoundedPrecision& promise, DepthFrom from,
+                               double factor);
 
 }  // namespace zproof::attack
