@@ -5,17 +5,11 @@
 #include <map>
 
 #include "tests/attack/fixed_edges.h"
+#include "tests/attack/lot.h"
 
 namespace zproof::attack {
 
 namespace {
-
-std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {  // splitmix64 (Steele, Lea and Flood 2014)
-    std::uint64_t z = a + 0x9E37'79B9'7F4A'7C15 * (b + 1);
-    z = (z ^ (z >> 30)) * 0xBF58'476D'1CE4'E5B9;
-    z = (z ^ (z >> 27)) * 0x94D0'49BB'1331'11EB;
-    return z ^ (z >> 31);
-}
 
 /// Of a triangle that is cut; each moves by itself where nothing else is promised.
 constexpr std::size_t most_pieces = 16;
