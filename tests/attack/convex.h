@@ -162,4 +162,22 @@ std::optional<N> front_at(const Image<N>& image, const Place<N>& p) {
     return std::nullopt;
 }
 
+/// What of a triangle's plane counts for its depth at a pixel.
+enum class DepthFrom {
+    square,    ///< all of the square, as docs/bounds.md has it
+    own_part,  ///< only the triangle's own part of it: no displaced triangle has depths beyond
+};
+
+/// Of `front`; none where there is no plane, or nothing of the triangle in the square.
+template <class N>
+std::optional<Extremes<N>> front_range(const Image<N>& image, const Place<N>& p, const N& half_side,
+                                       DepthFrom from) {
+    if (from == DepthFrom::own_part) return front_in_square(image, p, half_side);
+    const auto here = front_at(image, p), right = front_at(image, Place<N>{N(p.x + 1), p.y}),
+               below = front_at(image, Place<N>{p.x, N(p.y + 1)});
+    if (!here) return std::nullopt;
+    const N reach = half_side * (absolute<N>(*right - *here) + absolute<N>(*below - *here));
+    return Extremes<N>{N(*here - reach), N(*here + reach)};
+}
+
 }  // namespace zproof::attack

@@ -20,6 +20,8 @@ Vector cross(const Vector& a, const Vector& b) {
 /// A point before the divide: it is seen at (x / w, y / w).
 struct Projected {
     Number x, y, w, depth;
+
+    bool operator==(const Projected&) const = default;
 };
 using Polygon = std::vector<Projected>;
 
@@ -100,9 +102,12 @@ ExactScene::ExactScene(const Scene& scene, const View& view, const Planes& plane
     std::vector<Projected> projected;
     for (const glm::vec3& p_world : scene.vertices.position_world) projected.push_back(camera(p_world));
     for (const glm::uvec3& t : scene.triangles) {
+        const Polygon whole{projected[t.x], projected[t.y], projected[t.z]},
+            left = what_is_left(whole, planes);
         ExactImage image;
-        for (const Projected& p : what_is_left({projected[t.x], projected[t.y], projected[t.z]}, planes))
+        for (const Projected& p : left)
             image.push_back({p.x / p.w, p.y / p.w, is_perspective_ ? Number(1 / p.depth) : Number(-p.depth)});
+        is_whole_.push_back(left == whole);
         rounded_.push_back(rounded_image(image));
         images_.push_back(std::move(image));
     }

@@ -36,7 +36,9 @@ class ExactScene {
     const View& view() const { return view_; }
     std::size_t size() const { return images_.size(); }
     const ExactImage& image(std::size_t triangle) const { return images_[triangle]; }
-    /// The same, rounded: to choose by, never to decide by.
+    /// Does nothing cut it? Its image has the triangle's corners then, in their order.
+    bool is_whole(std::size_t triangle) const { return is_whole_[triangle]; }
+    /// Its image, rounded: to choose by, never to decide by.
     const Image<double>& rounded(std::size_t triangle) const { return rounded_[triangle]; }
 
     /// Camera depth from `front`.
@@ -48,6 +50,7 @@ class ExactScene {
     bool is_perspective_;
     std::vector<ExactImage> images_;
     std::vector<Image<double>> rounded_;
+    std::vector<bool> is_whole_;
 };
 
 /// Where pixel (x, y) is sampled.

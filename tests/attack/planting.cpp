@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace zproof::attack {
 
@@ -17,15 +18,15 @@ float depth_shown(const ExactScene& scene, std::size_t triangle, const Place<dou
     return float(scene.depth(std::clamp(front, least.front, greatest.front)));
 }
 
-void answer(Frame& frame, int x, int y, PrimitiveId id, float depth) {
-    frame.primitive.at(x, y) = id;
-    frame.camera_depth.at(x, y) = depth;
-}
-
 }  // namespace
 
-WrongPlaces::WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing)
-    : trial_(trial), depth_relative_(depth_relative), sharing_(sharing), at_(trial.right().size(), {}) {
+WrongPlaces::WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing, DepthFrom from)
+    : trial_(trial),
+      depth_relative_(depth_relative),
+      sharing_(sharing),
+      from_(from),
+      at_(trial.right().size(), {}),
+      may_be_shown_(trial.right().size(), {}) {
     for (int y = 0; y < at_.size().height; ++y)
         for (int x = 0; x < at_.size().width; ++x) find(x, y);
 }
@@ -67,6 +68,7 @@ void WrongPlaces::find(int x, int y) {
             if (inset > hidden.need_px && hides(other, t, place_of(scene.view(), x, y), inset))
                 hidden.need_px = inset, hidden.other = other;
         }
+        if (hidden.need_px == 0) may_be_shown_.at(x, y).push_back(std::uint32_t(t));
         if (hidden.need_px > 0 && hidden.need_px < most_need_px) at_.at(x, y).push_back(hidden);
     }
 }
@@ -75,9 +77,12 @@ void WrongPlaces::find(int x, int y) {
 bool WrongPlaces::hides(std::size_t occluder, std::size_t hidden, const ExactPlace& p,
                         double half_side) const {
     const ExactScene& scene = trial_.truth();
-    const auto before = front_in_square(scene.image(occluder), p, Number(half_side)),
-               behind = front_in_square(scene.image(hidden), p, Number(half_side));
+    const auto before = front_range(scene.image(occluder), p, Number(half_side), from_),
+               behind = front_range(scene.image(hidden), p, Number(half_side), from_);
     if (!before || !behind) return false;
+    // beyond a plane's horizon it is as far as may be
+    if (scene.view().camera.projection == Projection::perspective && before->least <= 0) return false;
+    if (scene.view().camera.projection == Projection::perspective && behind->greatest <= 0) return false;
     const Number farthest = scene.depth(before->least), nearest = scene.depth(behind->greatest);
     const Number share = 2 * Number(depth_relative_);
     return farthest + absolute(farthest) * share < nearest - absolute(nearest) * share;
@@ -101,6 +106,18 @@ std::vector<double> WrongPlaces::needs() const {
     return needs;
 }
 
+void WrongPlaces::show(PlantedFrame& planted, const WrongPlace& wrong, int x, int y, double eps_px,
+                       double factor) const {
+    const auto exact = exact_factor(wrong, x, y, eps_px);
+    if (!exact || *exact < factor * (1 - 1e-9)) return;
+    const Place<double> p = rounded_place_of(trial_.truth().view(), x, y);
+    planted.frame.primitive.at(x, y) = wrong.primitive;
+    planted.frame.camera_depth.at(x, y) = wrong.primitive == PrimitiveId::none
+                                              ? background_depth
+                                              : depth_shown(trial_.truth(), std::size_t(wrong.primitive), p);
+    planted.pixels.push_back({x, y, wrong.kind, *exact});
+}
+
 PlantedFrame WrongPlaces::planted(double eps_px, double factor) const {
     PlantedFrame planted{trial_.right(), {}};
     for (int y = 0; y < at_.size().height; ++y)
@@ -109,70 +126,38 @@ PlantedFrame WrongPlaces::planted(double eps_px, double factor) const {
             for (const WrongPlace& wrong : at_.at(x, y))
                 if (wrong.need_px >= eps_px * factor && (!best || wrong.need_px < best->need_px))
                     best = &wrong;
-            if (!best) continue;
-            const auto exact = exact_factor(*best, x, y, eps_px);
-            if (!exact || *exact < factor * (1 - 1e-9)) continue;
-            const Place<double> p = rounded_place_of(trial_.truth().view(), x, y);
-            const float depth = best->primitive == PrimitiveId::none
-                                    ? background_depth
-                                    : depth_shown(trial_.truth(), std::size_t(best->primitive), p);
-            answer(planted.frame, x, y, best->primitive, depth);
-            planted.pixels.push_back({x, y, best->kind, *exact});
+            if (best) show(planted, *best, x, y, eps_px, factor);
         }
     return planted;
 }
 
-namespace {
-
-/// Of the plane over the square; none where the triangle has no plane.
-std::optional<Extremes<Number>> plane_in_square(const ExactImage& image, const ExactPlace& p,
-                                                const Number& half_side) {
-    const auto here = front_at(image, p), right = front_at(image, {p.x + 1, p.y}),
-               below = front_at(image, {p.x, p.y + 1});
-    if (!here) return std::nullopt;
-    const Number reach = half_side * (absolute<Number>(*right - *here) + absolute<Number>(*below - *here));
-    return Extremes<Number>{*here - reach, *here + reach};
+/// None where a triangle of the label may be shown, or none comes near.
+const WrongPlace* WrongPlaces::least_of_label(std::span<const std::uint32_t> label_of_triangle,
+                                              std::uint32_t label, int x, int y) const {
+    for (const std::uint32_t t : may_be_shown_.at(x, y))
+        if (label_of_triangle[t] == label) return nullptr;
+    const WrongPlace* least = nullptr;
+    for (const WrongPlace& wrong : at_.at(x, y)) {
+        if (wrong.primitive == PrimitiveId::none || label_of_triangle[std::size_t(wrong.primitive)] != label)
+            continue;
+        if (!least || wrong.need_px < least->need_px) least = &wrong;
+    }
+    return least;
 }
 
-/// A depth beyond one end of what is permitted, and how far in units of the error there.
-struct WrongDepth {
-    float depth;
-    double factor;
-};
-
-WrongDepth beyond(const Number& end, const Number& room, double factor, bool is_far) {
-    const Number step = room * Number(factor);
-    float depth = float(double(is_far ? Number(end + step) : Number(end - step)));
-    const auto got = [&] { return Number((is_far ? Number(depth) - end : end - Number(depth)) / room); };
-    while (got() < Number(factor)) depth = std::nextafterf(depth, is_far ? HUGE_VALF : -HUGE_VALF);
-    return {depth, double(got())};
-}
-
-}  // namespace
-
-PlantedFrame with_wrong_depths(const Trial& trial, const BoundedPrecision& promise, DepthFrom from,
-                               double factor) {
-    const ExactScene& scene = trial.truth();
-    PlantedFrame planted{trial.right(), {}};
-    const Allowance allowance = allowance_of(promise, scene.view());
-    const bool is_perspective = scene.view().camera.projection == Projection::perspective;
-    for (int y = 0; y < planted.frame.size().height; ++y)
-        for (int x = 0; x < planted.frame.size().width; ++x) {
-            const PrimitiveId id = planted.frame.primitive.at(x, y);
-            if (id == PrimitiveId::none) continue;
-            const ExactImage& image = scene.image(std::size_t(id));
-            const ExactPlace p = place_of(scene.view(), x, y);
-            const auto front = from == DepthFrom::square ? plane_in_square(image, p, Number(promise.eps_px))
-                                                         : front_in_square(image, p, Number(promise.eps_px));
-            const bool is_far = ((x + y) & 1) != 0;
-            if (!front || (is_perspective && front->least <= 0)) continue;
-            const Number end = scene.depth(is_far ? front->least : front->greatest);
-            const Number room =
-                absolute(end) * Number(allowance.depth_relative) + Number(allowance.depth_absolute);
-            const WrongDepth wrong = beyond(end, room, factor, is_far);
-            if (wrong.depth <= 0 && scene.view().camera.near_depth >= 0) continue;
-            answer(planted.frame, x, y, id, wrong.depth);
-            planted.pixels.push_back({x, y, PixelClass::wrong_depth, wrong.factor});
+PlantedFrame WrongPlaces::planted_labels(std::span<const std::uint32_t> label_of_triangle, double eps_px,
+                                         double factor) const {
+    PlantedFrame planted{trial_.right(), {}};
+    const std::set<std::uint32_t> labels(label_of_triangle.begin(), label_of_triangle.end());
+    for (int y = 0; y < at_.size().height; ++y)
+        for (int x = 0; x < at_.size().width; ++x) {
+            const WrongPlace* best = nullptr;
+            for (const std::uint32_t label : labels) {
+                const WrongPlace* wrong = least_of_label(label_of_triangle, label, x, y);
+                if (!wrong || wrong->need_px < eps_px * factor) continue;
+                if (!best || wrong->need_px < best->need_px) best = wrong;
+            }
+            if (best) show(planted, *best, x, y, eps_px, factor);
         }
     return planted;
 }

@@ -1,6 +1,8 @@
 /// Pixels that are wrong for certain, by as little as is wanted: the rationals say by how much.
 #pragma once
 
+#include <span>
+
 #include "compare/pixel_class.h"
 #include "tests/attack/trial.h"
 
@@ -29,9 +31,10 @@ struct WrongPlace {
 /// A frame's worth of answers that need more displacement than some promise, by pixels.
 class WrongPlaces {
   public:
-    /// Depths may err by a share of `depth_relative`. Where pieces of a triangle that is cut move apart, a
-    /// gap may open along any of its diagonals.
-    WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing);
+    /// Depths may err by a share of `depth_relative`, and are ordered as they are in `from`. Where pieces of
+    /// a triangle that is cut move apart, a gap may open along any of its diagonals.
+    WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing,
+                DepthFrom from = DepthFrom::square);
 
     /// Least displacements needed, of all pixels, in order.
     std::vector<double> needs() const;
@@ -40,8 +43,17 @@ class WrongPlaces {
     /// have none show the truth.
     PlantedFrame planted(double eps_px, double factor) const;
 
+    /// The same for a frame of labels: all triangles of one need more. The frame still names a triangle of
+    /// the label, at a depth that this one has.
+    PlantedFrame planted_labels(std::span<const std::uint32_t> label_of_triangle, double eps_px,
+                                double factor) const;
+
   private:
     void find(int x, int y);
+    const WrongPlace* least_of_label(std::span<const std::uint32_t> label_of_triangle, std::uint32_t label,
+                                     int x, int y) const;
+    void show(PlantedFrame& planted, const WrongPlace& wrong, int x, int y, double eps_px,
+              double factor) const;
     bool hides(std::size_t occluder, std::size_t hidden, const ExactPlace& p, double half_side) const;
     template <class N>
     N held_within(const Image<N>& image, const Place<N>& p) const;
@@ -50,18 +62,9 @@ class WrongPlaces {
     const Trial& trial_;
     double depth_relative_;
     Sharing sharing_;
+    DepthFrom from_;
     Plane<std::vector<WrongPlace>> at_;
+    Plane<std::vector<std::uint32_t>> may_be_shown_;  ///< triangles that cover the centre, and are not hidden
 };
-
-/// What of a triangle's plane counts for its depth at a pixel.
-enum class DepthFrom {
-    square,    ///< all of the square, as docs/bounds.md has it
-    own_part,  ///< only the triangle's own part of it: no displaced triangle has depths beyond
-};
-
-/// A frame whose ids are true, and whose depths lie beyond what the promise permits by `factor`, on either
-/// side. Triangles may be displaced by the promise's eps.
-PlantedFrame with_wrong_depths(const Trial& trial, const BoundedPrecision& promise, DepthFrom from,
-                               double factor);
 
 }  // namespace zproof::attack
