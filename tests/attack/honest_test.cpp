@@ -1,0 +1,84 @@
+/// Adversarial honesty: whoever keeps its promise at the limits is proven.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "tests/attack/honest_modes.h"
+
+namespace zproof::attack {
+namespace {
+
+/// With more, a frame takes too long for ten thousands of them.
+constexpr std::size_t most_triangles = 150;
+
+struct Count {
+    std::uint64_t mode_views = 0, undecidable_views = 0, undecidable_pixels = 0;
+
+    Count& operator+=(const Count& other) {
+        mode_views += other.mode_views;
+        undecidable_views += other.undecidable_views;
+        undecidable_pixels += other.undecidable_pixels;
+        return *this;
+    }
+};
+
+/// Every mode on the scene.
+Count hold(const AttackScene& scene, std::uint64_t seed) {
+    Count count;
+    const Trial trial(scene);
+    for (const HonestMode& mode : honest_modes(scene.view, seed)) {
+        const Verdict verdict = trial.judge_of(mode.draw(trial), mode.precision);
+        EXPECT_EQ(defect_count(verdict), 0u)
+            << scene.name << ", " << mode.name << ": " << first_defect(verdict);
+        ++count.mode_views;
+        count.undecidable_views += undecidable_count(verdict) > 0 ? 1 : 0;
+        count.undecidable_pixels += undecidable_count(verdict);
+    }
+    return count;
+}
+
+void report(const Count& count) {
+    std::cout << count.mode_views << " mode-views; undecidable: " << count.undecidable_pixels << " pixels of "
+              << count.undecidable_views << "\n";
+}
+
+constexpr std::size_t slices = 4;
+
+class AdversarialHonesty : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(AdversarialHonesty, IsProvenInHandMadeScenes) {
+    Count count;
+    const std::vector<AttackScene> scenes = hand_made_scenes();
+    for (std::size_t i = GetParam(); i < scenes.size(); i += slices) count += hold(scenes[i], i);
+    report(count);
+}
+
+TEST_P(AdversarialHonesty, IsProvenInRandomScenes) {
+    Count count;
+    for (std::uint64_t n = GetParam(); n < 12; n += slices) {
+        const AttackScene scene = random_attack_scene(60, n);
+        if (scene.scene.triangles.size() <= most_triangles) count += hold(scene, n);
+    }
+    report(count);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sample, AdversarialHonesty, testing::Range<std::size_t>(0, slices));
+
+/// 12 500 mode-views each.
+class AdversarialHonestyAtScale : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(AdversarialHonestyAtScale, IsProven) {
+    Count count;
+    const std::vector<AttackScene> suite = small_suite_scenes(most_triangles);
+    for (std::size_t i = GetParam(); i < suite.size(); i += 8) count += hold(suite[i], i);
+    for (std::uint64_t n = 0; count.mode_views < 12'500; ++n) {
+        const AttackScene scene = random_attack_scene(100 + GetParam(), n);
+        if (scene.scene.triangles.size() <= most_triangles) count += hold(scene, n);
+    }
+    report(count);
+}
+
+INSTANTIATE_TEST_SUITE_P(Slow, AdversarialHonestyAtScale, testing::Range<std::uint64_t>(0, 8));
+
+}  // namespace
+}  // namespace zproof::attack
