@@ -347,7 +347,13 @@ HalfPlanes<Number> AdmissibleSet<Number>::cover(size_t occluder, std::optional<s
         if (seen && are_on_one_side(edge, *seen).value_or(false)) continue;
         half_planes.push_back(stays == EdgeStays::yes ? edge : moved_inwards(edge));
     }
+    const size_t edges = half_planes.size();
     push_planes(half_planes, occluder);
+    // what near and far leave is moved as a whole
+    if (stays == EdgeStays::no && around_.cuts_triangles)
+        std::transform(half_planes.begin() + std::ptrdiff_t(edges), half_planes.end(),
+                       half_planes.begin() + std::ptrdiff_t(edges),
+                       [&](LinePointer f) { return moved_inwards(f); });
     return half_planes;
 }
 
@@ -422,14 +428,28 @@ bool AdmissibleSet<Number>::holds_centre(size_t occluder, std::optional<size_t> 
 }
 
 /// May the renderer cut the occluder into triangles that share an edge within eps of the square's centre?
+/// That edge may end wherever near and far may cut: it is looked at for both places of each, and may not pass
+/// the centre between.
 template <class Number>
 bool AdmissibleSet<Number>::is_cut_at_the_centre(size_t occluder) {
     const Neighbour& n = around_.neighbours[occluder];
-    if (!around_.cuts_triangles || !may_be_clipped(around_.view.camera, n)) return false;
-    const auto left = left_by_near_and_far(around_.view.camera, corners<Number>(n.p_world));
-    return std::ranges::any_of(diagonals_of(ray_, left), [&](const Affine<Number>& f) {
-        return sign(Number(half_side_px_) * (magnitude(f.a) + magnitude(f.b)) - magnitude(f.c)) >= 0;
-    });
+    const Camera& c = around_.view.camera;
+    if (!around_.cuts_triangles || !may_be_clipped(c, n)) return false;
+    if (!std::isfinite(n.near_slack + n.far_slack)) return true;
+    const Number h(half_side_px_);
+    std::vector<int> sides;  // of the centre, by diagonal
+    for (const double near : {c.near_depth - n.near_slack, c.near_depth + n.near_slack})
+        for (const double far : {c.far_depth - n.far_slack, c.far_depth + n.far_slack}) {
+            std::vector<int> here;
+            for (const auto& f :
+                 diagonals_of(ray_, left_between({near, far}, c, corners<Number>(n.p_world)))) {
+                if (sign(h * (magnitude(f.a) + magnitude(f.b)) - magnitude(f.c)) >= 0) return true;
+                here.push_back(sign(f.c));
+            }
+            if (!sides.empty() && here != sides) return true;
+            sides = here;
+        }
+    return false;
 }
 
 template <class Number>

@@ -25,15 +25,21 @@ PolygonWorld<Number> cut_by(const PolygonWorld<Number>& polygon, const Distance&
     return left;
 }
 
+/// Where near and far cut, as camera depths.
+struct PlaneDepths {
+    double near, far;
+};
+
 template <class Number>
-PolygonWorld<Number> left_by_near_and_far(const Camera& camera, const Corners<Number>& p_world) {
+PolygonWorld<Number> left_between(const PlaneDepths& planes, const Camera& camera,
+                                  const Corners<Number>& p_world) {
     const Vector3<Number> eye = exactly<Number>(glm::dvec3(camera.eye_world)),
                           back = exactly<Number>(camera.back);
     const auto depth = [&](const Vector3<Number>& p) { return -dot(back, p - eye); };
-    const Number near(camera.near_depth), far(std::isfinite(camera.far_depth) ? camera.far_depth : 0);
+    const Number near(planes.near), far(std::isfinite(planes.far) ? planes.far : 0);
     PolygonWorld<Number> polygon(p_world.begin(), p_world.end());
     polygon = cut_by(polygon, [&](const auto& p) { return depth(p) - near; });
-    if (!std::isfinite(camera.far_depth)) return polygon;
+    if (!std::isfinite(planes.far)) return polygon;
     return cut_by(polygon, [&](const auto& p) { return far - depth(p); });
 }
 
