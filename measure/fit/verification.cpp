@@ -30,9 +30,7 @@ double rounded_up(double value) {
     return scaled(digits);
 }
 
-double promised_relative(double error) {
-    return rounded_up(std::max(error, std::ldexp(1.0, least_octave)));
-}
+double promised_relative(double error) { return rounded_up(std::max(error, std::ldexp(1.0, least_octave))); }
 
 std::vector<PixelCoord> defects_under(const BoundedPrecision& promise, const Scene& scene, const View& view,
                                       const Frame& frame) {
