@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "compare/adjudicate/pixel_check.h"
+#include "compare/adjudicate/unproven_pixels.h"
 #include "compare/agree/agree.h"
 #include "compare/agree/row_counts.h"
 #include "compare/attributes/attribute_check.h"
@@ -95,7 +96,8 @@ Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candida
     if (options.errors == JudgeOptions::Errors::maps)
         verdict.errors = ErrorMaps{Plane<float>::unwritten(size), Plane<float>::unwritten(size)};
     const FramePair frames{scene, view, {view, candidate}, {view, reference}};
-    const Agreement agreement = find_agreement(frames, verdict.errors ? &*verdict.errors : nullptr);
+    const Agreement agreement =
+        find_agreement(frames, find_unproven_pixels(frames), verdict.errors ? &*verdict.errors : nullptr);
     verdict.candidate_depth = agreement.candidate_depth;
     verdict.reference_depth = agreement.reference_depth;
     verdict.counts[std::size_t(PixelClass::agree)] = size.pixel_count() - agreement.undecided.size();

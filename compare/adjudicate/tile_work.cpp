@@ -8,6 +8,10 @@ namespace zproof {
 
 namespace {
 
+/// The first search radius, in own eps. Few squares grow beyond it, and a triangle that is found but meets no
+/// square changes nothing.
+constexpr double first_reach = 2;
+
 /// Pairs of a tile that are remembered.
 constexpr std::size_t coplanar_pairs = 256;
 
@@ -81,11 +85,12 @@ double TileWork::own_eps_px(const PixelQuery& query) const {
                : zproof::own_eps_px(setting_.scene, setting_.view, *query.bounds, pixel_, query.answer);
 }
 
-/// The largest eps, and own_eps_px at least, of what comes within own_eps_px of the centre.
-double TileWork::eps_px_within(double own_eps_px) const {
+/// The largest eps, and own_eps_px at least, of what comes within own_eps_px of the centre and whose box is
+/// no farther from it than reach_px.
+double TileWork::eps_px_within(double reach_px, double own_eps_px) const {
     double eps_px = own_eps_px;
     for (const auto& [place, distance_px, n] : seen_)
-        if (distance_px <= own_eps_px && n.image && comes_within(*n.image, own_eps_px))
+        if (distance_px <= reach_px && n.image && comes_within(*n.image, own_eps_px))
             eps_px = std::max(eps_px, n.bounds.eps_px);
     return eps_px;
 }
@@ -96,6 +101,18 @@ void TileWork::gather(double reach_px) {
     around_.neighbours.clear();
     for (const auto& [place, distance_px, neighbour] : seen_)
         if (distance_px <= reach_px) around_.neighbours.push_back(neighbour);
+}
+
+/// Adds an answer that lies elsewhere: rounded edge functions may show it all the same.
+void TileWork::add_answer(const PixelQuery& query) {
+    if (query.answer == PrimitiveId::none || around_.index_of(query.answer)) return;
+    const auto triangle = std::uint32_t(query.answer);
+    Neighbour n =
+        neighbour_of(setting_.rays.at(query.x, query.y), *query.bounds, corners_of(setting_.scene, triangle));
+    n.triangle = triangle;
+    if (std::ranges::max(n.edge_rounding_px) > 0)
+        around_.neighbours.insert(
+            std::ranges::lower_bound(around_.neighbours, triangle, {}, &Neighbour::triangle), n);
 }
 
 /// Does the square reach one of the image's sides? Clipping there puts an edge on every triangle, which errs
@@ -132,17 +149,19 @@ void TileWork::decide_around(const PixelQuery& query, QueryResult& adjudicated) 
 double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult& adjudicated) {
     if (!take(1 + triangles_.count() / looks_per_cut, work_left_) ||
         count_within(query, searched_px) > most_neighbours) {
-        adjudicated = {{Admissibility::undecidable, false, searched_px}, std::nullopt};
+        adjudicated = {{Admissibility::undecidable, false, searched_px / first_reach}, std::nullopt};
         return 0;
     }
     look_at(query, searched_px);
-    const double own_eps = own_eps_px(query);
-    around_.eps_px = eps_px_within(own_eps);
-    if (around_.eps_px > searched_px) return around_.eps_px;
+    const double own_eps = own_eps_px(query), least_reach_px = first_reach * own_eps;
+    around_.eps_px = eps_px_within(least_reach_px, own_eps);
+    const double reach_px = first_reach * around_.eps_px;
+    if (reach_px > searched_px) return reach_px;
     around_.is_watertight = query.bounds->is_watertight();
     around_.cuts_triangles = query.bounds->cuts_triangles();
     around_.view.camera.near_depth = query.bounds->near_depth();
-    gather(around_.eps_px);
+    gather(reach_px);
+    add_answer(query);
     if (query.bounds->clips_at_sides() && reaches_a_side())
         std::erase_if(around_.neighbours,
                       [&](const Neighbour& n) { return PrimitiveId(n.triangle) != query.answer; });

@@ -44,9 +44,10 @@ class TileWork {
     };
     void look_at(const PixelQuery& query, double reach_px);
     double own_eps_px(const PixelQuery& query) const;
-    double eps_px_within(double own_eps_px) const;
+    double eps_px_within(double reach_px, double own_eps_px) const;
     std::size_t count_within(const PixelQuery& query, double reach_px);
     void gather(double reach_px);
+    void add_answer(const PixelQuery& query);
     void decide_around(const PixelQuery& query, QueryResult& adjudicated);
     bool reaches_a_side() const;
 

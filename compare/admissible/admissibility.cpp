@@ -30,7 +30,7 @@ Admissibility of_background(AdmissibleSet<Number>& set, size_t count) {
 
 template <class Number>
 Admissibility of_triangle(AdmissibleSet<Number>& set, size_t index, size_t count) {
-    if (!set.reaches(index)) return Admissibility::outside;
+    if (!set.is_shown(index)) return Admissibility::outside;
     if (set.is_seen(index)) return any_clipped(set, count) ? Admissibility::clipped : Admissibility::visible;
     if (set.holds(index, {DepthRule::bounded, set.edge_rule()})) return Admissibility::tied;
     return set.holds(index, by_crack) ? Admissibility::through_a_crack : Admissibility::hidden;

@@ -62,9 +62,36 @@ void AdmissibleSet<Number>::set_half_side(double half_side_px) {
     half_side_px_ = half_side_px;
     std::ranges::fill(pieces_, std::nullopt);
     covering_.reset();
+    sides_ = sides_of_square(half_side_px);
+}
+
+template <class Number>
+auto AdmissibleSet<Number>::sides_of_square(double half_side_px) -> std::array<LinePointer, 4> {
     const Number h(half_side_px), zero(0), one(1);
-    sides_ = {new_line({zero, one, h}), new_line({-one, zero, h}), new_line({zero, -one, h}),
-              new_line({one, zero, h})};
+    return {new_line({zero, one, h}), new_line({-one, zero, h}), new_line({zero, -one, h}),
+            new_line({one, zero, h})};
+}
+
+/// Displacement counts by what is left of eps; its edges are moved outwards by their own errors. Where their
+/// errors exceed its width, the computed orientation may be the other one.
+template <class Number>
+bool AdmissibleSet<Number>::is_inside_by_rounding(size_t index) {
+    const Neighbour& n = around_.neighbours[index];
+    const double most_px = std::ranges::max(n.edge_rounding_px),
+                 moved_px = std::max(0.0, n.bounds.eps_px - most_px);
+    if (most_px == 0 || !std::isfinite(most_px + moved_px)) return false;
+    const auto edges = edges_of(ray_, corners<Number>(n.p_world));
+    for (const bool is_turned : {false, true}) {
+        std::optional<Region<Number>> region =
+            Region<Number>::square(sides_of_square(moved_px), Number(moved_px));
+        for (size_t i = 0; i < 3; ++i) {
+            Affine<Number> f = is_turned ? -edges[i] : edges[i];
+            f.c = f.c + Number(n.edge_rounding_px[i]) * (magnitude(f.a) + magnitude(f.b));
+            if (region) region = region->inside(*new_line(f));
+        }
+        if (region) return true;
+    }
+    return false;
 }
 
 template <class Number>
@@ -468,7 +495,7 @@ bool AdmissibleSet<Number>::leaves_bare_by(EdgeRule rule, std::optional<size_t> 
 
 template <class Number>
 bool AdmissibleSet<Number>::holds(size_t index, Rules rules) {
-    return reaches(index) && leaves_bare_by(rules.edges, index, [&](size_t o) {
+    return is_shown(index) && leaves_bare_by(rules.edges, index, [&](size_t o) {
                return o != index && is_in_front(o, index, rules.depth) && may_occlude(o);
            });
 }

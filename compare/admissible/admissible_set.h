@@ -59,6 +59,8 @@ class AdmissibleSet {
     bool holds_background(EdgeRule edges);
     /// Does the triangle, between near and far, meet the square at all?
     bool reaches(size_t index) { return !seen_pieces(index).empty(); }
+    /// Or do its edge functions, rounded one by one as declared, all say that it holds the centre?
+    bool is_shown(size_t index) { return reaches(index) || is_inside_by_rounding(index); }
     /// Does the near or far plane cut the triangle within the square?
     bool is_clipped(size_t index);
 
@@ -91,6 +93,8 @@ class AdmissibleSet {
     int locus_of(const std::array<int, 2>& ends);
     NeighbourImage draw(const Neighbour& neighbour);
     Region<Number> square();
+    std::array<LinePointer, 4> sides_of_square(double half_side_px);
+    bool is_inside_by_rounding(size_t index);
 
     std::optional<LinePointer> plane(ClipSide side, const Affine<Number>& inverse_depth, const Neighbour& n,
                                      Slack slack);

@@ -58,7 +58,9 @@ std::optional<double> least_displacement(VisibleWithin& seen_within, double eps_
         stride *= 2;
         if (step <= too_small || step >= enough) step = (too_small + enough) / 2;
     }
-    return double(too_small) / displacement_steps;
+    const bool is_elsewhere =
+        enough == displacement_steps && !is_seen(enough);  // shown by its rounding alone
+    return is_elsewhere ? std::nullopt : std::optional(double(too_small) / displacement_steps);
 }
 
 }  // namespace

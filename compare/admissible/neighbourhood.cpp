@@ -99,6 +99,7 @@ void set_bounds(Neighbour& n, const BoundedTriangle& triangle, Projection projec
     n.far_slack = of_triangle.far_slack;
     n.nearest = of_triangle.nearest;
     n.farthest = of_triangle.farthest;
+    n.edge_rounding_px = of_triangle.edge_rounding_px;
     const InverseDepthRange range = inverse_depth_range(triangle, plane, n.bounds, projection);
     n.least_inverse_depth = range.least;
     n.greatest_inverse_depth = range.greatest;

@@ -25,9 +25,10 @@ struct Neighbour {
     std::uint32_t triangle = 0;
     CornersWorld p_world;
     LocalBounds bounds;
-    bool may_be_missing = false;           ///< see TriangleBounds: it hides nothing for certain
-    double near_slack = 0, far_slack = 0;  ///< see TriangleBounds
-    double nearest = 0, farthest = 0;      ///< see TriangleBounds
+    bool may_be_missing = false;               ///< see TriangleBounds: it hides nothing for certain
+    double near_slack = 0, far_slack = 0;      ///< see TriangleBounds
+    double nearest = 0, farthest = 0;          ///< see TriangleBounds
+    std::array<double, 3> edge_rounding_px{};  ///< see TriangleBounds
     double gradient = 0;          ///< |d/dx| + |d/dy| of inverse depth, per px; 0 for an edge-on triangle
     bool is_plane_known = false;  ///< or does double precision not tell it from edge-on?
     bool is_trusted = false;      ///< the same, and is the sign of its image's edges certain?

@@ -13,7 +13,6 @@
 #include "compare/agree/bound_table.h"
 #include "compare/agree/depth_errors.h"
 #include "compare/agree/row_counts.h"
-#include "compare/agree/unproven_pixels.h"
 
 namespace zproof {
 
@@ -58,7 +57,7 @@ struct FrameRow {
 /// One thread's look at both frames, block by block.
 class BlockScan {
   public:
-    BlockScan(const FramePair& frames, const UnprovenPixels& unproven, ErrorMaps* errors)
+    BlockScan(const FramePair& frames, const Plane<std::uint8_t>& unproven, ErrorMaps* errors)
         : frames_(frames),
           triangle_count_(frames.scene.triangles.size()),
           unproven_(unproven),
@@ -118,7 +117,7 @@ class BlockScan {
     bool is_bare(const PixelRow& row, const RowRuns& runs) const {
         const auto is_background = [](float depth) { return depth == background_depth; };
         return runs.are_same && runs.of_candidate.size() == 1 &&
-               std::ranges::count(row.of(unproven_.map()), 1) == 0 &&
+               std::ranges::count(row.of(unproven_), 1) == 0 &&
                row.of(frames_.candidate.frame.primitive).front() == PrimitiveId::none &&
                std::ranges::all_of(row.of(frames_.candidate.frame.camera_depth), is_background) &&
                std::ranges::all_of(row.of(frames_.reference.frame.camera_depth), is_background);
@@ -156,7 +155,8 @@ class BlockScan {
                 find_depth_errors(table_[*place].candidate, row.left + int(first), row.y, end - first,
                                   &depths_[first], &errors_found_[first]);
             for (std::size_t i = first; i < end; ++i) {
-                is_unproven_[i] = (place && errors_found_[i] < 0) || unproven_.hold(row.left + int(i), row.y);
+                const bool is_another_depth = place && row_.candidate_error[i] >= 0 && errors_found_[i] < 0;
+                is_unproven_[i] = is_another_depth || unproven_.at(row.left + int(i), row.y) != 0;
                 is_any |= is_unproven_[i];
             }
         }
@@ -181,7 +181,7 @@ class BlockScan {
 
     const FramePair& frames_;
     std::size_t triangle_count_;
-    const UnprovenPixels& unproven_;
+    const Plane<std::uint8_t>& unproven_;
     BoundTable table_;
     ErrorMaps* errors_;
     std::array<RowRuns, block_height> runs_;  ///< of the block at hand
@@ -195,10 +195,9 @@ class BlockScan {
 
 }  // namespace
 
-Agreement find_agreement(const FramePair& frames, ErrorMaps* errors) {
+Agreement find_agreement(const FramePair& frames, const Plane<std::uint8_t>& is_unproven, ErrorMaps* errors) {
     const int bands = (frames.view.height + block_height - 1) / block_height;
-    const UnprovenPixels unproven(frames);
-    tbb::enumerable_thread_specific<BlockScan> scans([&] { return BlockScan(frames, unproven, errors); });
+    tbb::enumerable_thread_specific<BlockScan> scans([&] { return BlockScan(frames, is_unproven, errors); });
     std::vector<std::vector<UndecidedPixel>> of_band;
     of_band.resize(std::size_t(bands));
     tbb::parallel_for(0, bands, [&](int band) {

@@ -25,6 +25,7 @@ struct Agreement {
 
 /// Runs on the threads of the surrounding tbb::task_arena; the result does not depend on their number. Fills
 /// in the maps of errors where there are some: pixels without an error hold NaN.
-Agreement find_agreement(const FramePair& frames, ErrorMaps* errors);
+/// `is_unproven` is 1 where the reference proves nothing (adjudicate/unproven_pixels.h).
+Agreement find_agreement(const FramePair& frames, const Plane<std::uint8_t>& is_unproven, ErrorMaps* errors);
 
 }  // namespace zproof

@@ -58,13 +58,12 @@ HomogeneousBounds homogeneous_bounds(const ViewFacts& facts, const TriangleExten
     for (std::size_t i = 0; i < 3; ++i) {
         const EdgeSize edge = edge_size(facts, corners, i);
         const double eps = edge.least_slope > 0 ? of_six * edge.terms / edge.least_slope : unlimited;
-        bounds.eps_px = std::max(bounds.eps_px, eps);
+        // nothing lies farther from anything in the image
+        bounds.edges_px[i] = std::min(eps, double(facts.view.width + facts.view.height));
         const double depth = std::abs(extent.size.depth[i]) + moved.z, slope = std::abs(z.per_inverse_depth);
         const double constant = std::abs(z.offset) / slope;
         sum += of_six * edge.terms * (facts.perspective ? 1 + constant * depth : constant + depth);
     }
-    // nothing lies farther from anything in the image
-    bounds.eps_px = std::min(bounds.eps_px, double(facts.view.width + facts.view.height));
     const double where_edge_on = terms > 0 ? unlimited : 0;  // 0 where all terms are zeros
     bounds.inverse_depth_error = least > 0 ? sum / least : where_edge_on;
     bounds.depth_factor = least > 0 ? of_six * terms / least : where_edge_on;

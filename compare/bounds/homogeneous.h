@@ -2,6 +2,8 @@
 /// 1997; docs/bounds.md, "Edge functions").
 #pragma once
 
+#include <array>
+
 #include "compare/bounds/triangle_extent.h"
 #include "compare/bounds/view_facts.h"
 #include "compare/bounds/z_range.h"
@@ -9,9 +11,9 @@
 namespace zproof {
 
 struct HomogeneousBounds {
-    double eps_px = 0;               ///< of its edges
-    double inverse_depth_error = 0;  ///< of what is interpolated by edge functions over the determinant
-    double depth_factor = 0;         ///< of the determinant
+    std::array<double, 3> edges_px{};  ///< of its edges, at most across the image
+    double inverse_depth_error = 0;    ///< of what is interpolated by edge functions over the determinant
+    double depth_factor = 0;           ///< of the determinant
 };
 
 /// `moved` is how far the matrices move corners along the camera's axes, `z` what is interpolated, `unit`

@@ -229,6 +229,7 @@ void RasterBounds::add_coverage(TriangleBounds& bounds, const ViewFacts& facts, 
                                             .area_epsilon_px2 = precision_.area_epsilon_px2,
                                             .width = double(facts.view.width),
                                             .height = double(facts.view.height)});
+    bounds.edge_rounding_px.fill(std::max(edges, areas.edges_px));
     bounds.eps_base_px += std::max(edges, areas.edges_px) + tolerance_eps_px(facts, extent);
     if (precision_.depth_interpolation == DepthInterpolation::barycentrics)
         add_weights(bounds, facts, areas, polygon);
@@ -271,7 +272,8 @@ void RasterBounds::add_homogeneous(TriangleBounds& bounds, const ViewFacts& fact
     const HomogeneousBounds own =
         homogeneous_bounds(facts, extent, {transform * from.x, transform * from.y, transform * from.z},
                            z_range(facts.view.camera, precision_), unit_of(precision_.edge_arithmetic));
-    bounds.eps_base_px += own.eps_px;
+    bounds.edge_rounding_px = own.edges_px;
+    bounds.eps_base_px += std::ranges::max(own.edges_px);
     bounds.inverse_depth_error += own.inverse_depth_error;
     bounds.depth_factor += own.depth_factor;
     // pixels beyond near and far are cut one by one, by their depths

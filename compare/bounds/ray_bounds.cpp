@@ -45,7 +45,7 @@ double pluecker_corners_px(const ViewFacts& facts, const TriangleExtent& extent,
 }
 
 /// Cramer's rule with v0 as its origin: the weights of v1 and v2 are triple products, v0 has what they leave.
-double moeller_trumbore_px(const ViewFacts& facts, const TriangleExtent& extent, double unit) {
+std::array<double, 3> moeller_trumbore_px(const ViewFacts& facts, const TriangleExtent& extent, double unit) {
     const auto& v = extent.v_world;
     const glm::dvec3 e1 = v[1] - v[0], e2 = v[2] - v[0], from_origin = glm::abs(v[0]) + facts.origin_abs;
     const auto terms = [&](const glm::dvec3& a, const glm::dvec3& b) {
@@ -56,8 +56,8 @@ double moeller_trumbore_px(const ViewFacts& facts, const TriangleExtent& extent,
         return facts.distance_px(error, edge_moment(facts, extent, edge));
     };
     const Gammas& gammas = gammas_of(unit);
-    return std::max({px(1, gammas[7] * of_v1), px(2, gammas[7] * of_v2),
-                     px(0, gammas[10] * (of_v1 + of_v2 + determinant))});
+    return {px(0, gammas[10] * (of_v1 + of_v2 + determinant)), px(1, gammas[7] * of_v1),
+            px(2, gammas[7] * of_v2)};
 }
 
 }  // namespace
@@ -99,7 +99,8 @@ TriangleBounds RayBounds::of(const ViewFacts& facts, const TriangleExtent& exten
     TriangleBounds bounds = bounds_of(terms_.of(extent.size));
     const double aim = aim_.at_depth_px(extent.largest_depth());
     const double corners = corners_px_times_depth(facts, extent) + tolerance_px_times_depth(facts, extent);
-    const double edges = edges_px(facts, extent);
+    bounds.edge_rounding_px = edges_px(facts, extent);
+    const double edges = std::ranges::max(bounds.edge_rounding_px);
     bounds.eps_base_px = aim + edges + (facts.perspective ? 0 : corners);
     bounds.eps_per_inverse_depth = facts.perspective ? corners : 0;
     if (facts.perspective && precision_.test == RayTest::pluecker) {
@@ -125,19 +126,17 @@ TriangleBounds RayBounds::of(const ViewFacts& facts, const TriangleExtent& exten
     return bounds;
 }
 
-double RayBounds::edges_px(const ViewFacts& facts, const TriangleExtent& extent) const {
-    double largest = 0;
+std::array<double, 3> RayBounds::edges_px(const ViewFacts& facts, const TriangleExtent& extent) const {
     switch (precision_.test) {
         case RayTest::pluecker:
-            for (std::size_t edge = 0; edge < 3; ++edge)
-                largest = std::max(largest, pluecker_edge_px(facts, extent, edge, unit_));
-            return largest;
+            return {pluecker_edge_px(facts, extent, 0, unit_), pluecker_edge_px(facts, extent, 1, unit_),
+                    pluecker_edge_px(facts, extent, 2, unit_)};
         case RayTest::moeller_trumbore:
             return moeller_trumbore_px(facts, extent, unit_);
         case RayTest::woop:
-            return 0;  // what rounds lies at the corners
+            return {};  // what rounds lies at the corners
     }
-    return unlimited;
+    return {unlimited, unlimited, unlimited};
 }
 
 double RayBounds::corners_px_times_depth(const ViewFacts& facts, const TriangleExtent& extent) const {

@@ -20,7 +20,7 @@ class RayBounds {
     double background_eps_px() const { return aim_.px; }
 
   private:
-    double edges_px(const ViewFacts& facts, const TriangleExtent& extent) const;
+    std::array<double, 3> edges_px(const ViewFacts& facts, const TriangleExtent& extent) const;
     /// What the triangle's rounded corners move in the image, px times depth.
     double corners_px_times_depth(const ViewFacts& facts, const TriangleExtent& extent) const;
     double tolerance_px_times_depth(const ViewFacts& facts, const TriangleExtent& extent) const;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "compare/bounds/depth_terms.h"
 
@@ -31,6 +32,8 @@ struct TriangleBounds {
     double near_slack = 0, far_slack = 0;  ///< clip: the planes' places may be off by this depth, scene units
     double nearest = 0, farthest = 0;      ///< camera depths of the corners, clamped to near and far
     bool may_be_missing = false;           ///< the renderer need not draw it
+    /// Of eps, what each edge function is off by where it is rounded by itself, px; 0 where nothing says so.
+    std::array<double, 3> edge_rounding_px{};
 
     /// The bounds at a place where inverse depth is `inverse_depth` and changes by `gradient` (|d/dx| +
     /// |d/dy|) per pixel.

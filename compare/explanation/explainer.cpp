@@ -7,6 +7,7 @@
 
 #include "compare/adjudicate/pixel_check.h"
 #include "compare/adjudicate/triangle_search.h"
+#include "compare/adjudicate/unproven_pixels.h"
 #include "compare/bounds/triangle_depth.h"
 
 namespace zproof {
@@ -74,7 +75,8 @@ void require_inside(const View& view, const PixelCoord& place) {
 std::vector<PixelExplanation> Explainer::begin(std::span<const PixelCoord> places) const {
     for (const PixelCoord& place : places) require_inside(frames_.view, place);
     std::vector<UndecidedPixel> undecided;
-    const std::vector<UndecidedPixel> of_first_tier = find_agreement(frames_, nullptr).undecided;
+    const std::vector<UndecidedPixel> of_first_tier =
+        find_agreement(frames_, find_unproven_pixels(frames_), nullptr).undecided;
     for (const PixelCoord& place : places) {
         const auto found = std::ranges::find(of_first_tier, place, &UndecidedPixel::place);
         undecided.push_back({place, false, found != of_first_tier.end() && found->is_id_undecided});

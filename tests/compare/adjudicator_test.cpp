@@ -206,7 +206,10 @@ TEST(Adjudicator, DecidesAsAmongAllTrianglesOfTheScene) {
         }
     }
     for (std::size_t word = 0; word < said.size(); ++word) {
-        const std::size_t least = Admissibility(word) == Admissibility::undecidable ? 0 : 3;
+        // crowds seldom abut; tests/compare/limits_test.cpp has walls that do
+        const bool is_rare = Admissibility(word) == Admissibility::undecidable ||
+                             Admissibility(word) == Admissibility::through_a_crack;
+        const std::size_t least = is_rare ? 0 : 3;
         EXPECT_GE(said[word], least) << "word " << word;
     }
     EXPECT_GT(large, 500);

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/adjudicate/unproven_pixels.h"
 #include "compare/agree/depth_errors.h"
 #include "compare/agree/row_counts.h"
-#include "compare/agree/unproven_pixels.h"
 #include "random_surroundings.h"
 #include "test_scene.h"
 
@@ -60,7 +60,7 @@ struct Tried {
 
 /// The same whether error maps are asked for or not.
 Agreement sorted_agreement(const FramePair& pair, ErrorMaps* maps) {
-    Agreement found = find_agreement(pair, maps);
+    Agreement found = find_agreement(pair, find_unproven_pixels(pair), maps);
     std::ranges::sort(found.undecided, is_in_raster_order);
     return found;
 }
@@ -79,7 +79,7 @@ void expect_same(const Agreement& found, const Agreement& expected) {
 /// Holds what the tier finds against every pixel by itself.
 void try_frames(const TestScene& t, Tried& tried) {
     const FramePair pair = pair_of(t);
-    const UnprovenPixels unproven(pair);
+    const Plane<std::uint8_t> unproven = find_unproven_pixels(pair);
     const Resolution size{t.view.width, t.view.height};
     ErrorMaps maps{Plane<float>(size, 77), Plane<float>(size, 77)}, expected_maps = maps;
     Agreement expected;
@@ -91,12 +91,12 @@ void try_frames(const TestScene& t, Tried& tried) {
             const bool ids_differ = t.candidate.primitive.at(x, y) != t.reference.primitive.at(x, y),
                        is_background = t.reference.primitive.at(x, y) == PrimitiveId::none;
             const bool is_proof =
-                !unproven.hold(x, y) &&
+                !unproven.at(x, y) &&
                 (is_background || alone(pair, reference.frame, candidate.bounds, x, y).error >= 0);
             expected_maps.candidate.at(x, y) = a.in_map;
             expected_maps.reference.at(x, y) = b.in_map;
             const bool is_known = std::size_t(t.reference.primitive.at(x, y)) < t.scene.triangles.size();
-            const bool is_undecided = ids_differ || (!is_proof && (is_known || unproven.hold(x, y))),
+            const bool is_undecided = ids_differ || (!is_proof && (is_known || unproven.at(x, y))),
                        are_certain = a.error >= 0 && b.error >= 0;
             if (!are_certain || is_undecided) {
                 expected.undecided.push_back({{x, y}, are_certain, is_undecided});
@@ -195,7 +195,7 @@ TEST(Agree, ForgetsTheTrianglesOfTheBlockBefore) {
             answer(t.candidate, x, y, shown, 1 + shown / 4.0);
             answer(t.reference, x, y, shown, 1 + shown / 4.0);
         }
-    const Agreement found = find_agreement(pair_of(t), nullptr);
+    const Agreement found = find_agreement(pair_of(t), find_unproven_pixels(pair_of(t)), nullptr);
     EXPECT_TRUE(found.undecided.empty());
     EXPECT_EQ(found.candidate_depth.histogram[0], std::uint64_t(width * height));
 }
@@ -204,7 +204,8 @@ TEST(Agree, DoesNotDependOnTheNumberOfThreads) {
     const TestScene t = random_frames(7, 300, 200, 9, 5);
     const FramePair pair = pair_of(t);
     const auto found_by = [&](int threads) {
-        return tbb::task_arena(threads).execute([&] { return find_agreement(pair, nullptr); });
+        return tbb::task_arena(threads).execute(
+            [&] { return find_agreement(pair, find_unproven_pixels(pair), nullptr); });
     };
     const Agreement one = found_by(1);
     for (const int threads : {2, 3}) {

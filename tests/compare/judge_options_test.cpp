@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "compare/adjudicate/unproven_pixels.h"
 #include "compare/admissible/admissibility.h"
 #include "compare/admissible/depth_rule.h"
 #include "compare/agree/agree.h"
@@ -122,11 +123,10 @@ TEST(Judge, SaysOfEveryPixelWhatTheRulesSayOfItByItself) {
         const Shown s(seed);
         const ViewBounds ours(s.view, s.ours), theirs(s.view, s.theirs);
         const Verdict verdict = s.verdict({});
+        const FramePair pair{
+            s.scene, s.view, {s.view, {s.candidate, s.ours}}, {s.view, {s.reference, s.theirs}}};
         const std::vector<UndecidedPixel> undecided =
-            find_agreement(
-                {s.scene, s.view, {s.view, {s.candidate, s.ours}}, {s.view, {s.reference, s.theirs}}},
-                nullptr)
-                .undecided;
+            find_agreement(pair, find_unproven_pixels(pair), nullptr).undecided;
         BoundRecord candidate, reference;
         std::uint64_t adjudicated = 0, reference_defects = 0;
         for (int y = 0; y < s.view.height; ++y)

@@ -67,13 +67,12 @@ void make_sliver(Corners3& c, Rng& rng) {
     c[2].y += rng.between(-1, 1) * std::exp2(rng.between(-24, -4));
 }
 
-/// Takes corners of an earlier triangle: one, two (a shared edge), a point of its plane, or a longer edge
-/// that its own is a part of.
+/// Takes corners of an earlier triangle: one, two (a shared edge), or a point of its plane.
 void join(CornersWorld& p, const Scene& scene, Rng& rng) {
     const auto& all = scene.vertices.position_world;
     const auto first = std::size_t(3 * rng.below(int(all.size() / 3)));
     const auto turn = std::size_t(rng.below(3));
-    switch (rng.below(5)) {
+    switch (rng.below(4)) {
         case 0:
             p[0] = all[first + turn];
             break;
@@ -83,11 +82,6 @@ void join(CornersWorld& p, const Scene& scene, Rng& rng) {
         case 2:
             p[0] = all[first + turn];
             p[1] = all[first + (turn + 1) % 3];
-            break;
-        case 3:
-            p[0] = all[first + turn];
-            p[1] = p[0] + 2.0f * (all[first + (turn + 1) % 3] - p[0]);
-            p[2] = all[first + (turn + 1) % 3] + (p[0] - all[first + (turn + 2) % 3]);
             break;
         default:
             for (std::size_t i = 0; i < 3; ++i) p[i] = 0.5f * (all[first + i] + all[first + (i + 1) % 3]);

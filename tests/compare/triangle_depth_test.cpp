@@ -21,8 +21,11 @@ bool admissible_in_rationals(const Surroundings& s, const ViewBounds& bounds, co
     const Neighbour n = neighbour_of(ViewRay<double>(s.view, s.x, s.y), bounds, p);
     const auto image = image_of(ViewRay<Rational>(s.view, s.x, s.y), corners<Rational>(p));
     const Rational z{double(depth)}, r(n.bounds.depth_relative), a(n.bounds.depth_absolute), one(1);
-    if (!image) return true;
-    const Rational shift(n.bounds.depth_eps_px * n.gradient), w = image->inverse_depth.c;
+    if (!image)
+        return z + a >= Rational(n.nearest) - abs(Rational(n.nearest)) * r &&
+               z - a <= Rational(n.farthest) + abs(Rational(n.farthest)) * r;
+    const Affine<Rational>& plane = image->inverse_depth;
+    const Rational shift = Rational(n.bounds.depth_eps_px) * (abs(plane.a) + abs(plane.b)), w = plane.c;
     if (s.view.camera.projection == Projection::parallel)
         return z + a >= -w - shift - abs(w + shift) * r && z - a <= shift - w + abs(shift - w) * r;
     if (w + shift <= 0) return false;

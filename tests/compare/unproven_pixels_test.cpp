@@ -1,5 +1,5 @@
 /// Where both name one triangle, the reference's promise must be no larger than the candidate's.
-#include "compare/agree/unproven_pixels.h"
+#include "compare/adjudicate/unproven_pixels.h"
 
 #include <gtest/gtest.h>
 
@@ -35,12 +35,12 @@ bool is_near_an_edge(const TriangleImage<double>& image, double eps_px) {
 
 /// Does the reference displace an edge over a pixel that is not listed farther than the candidate may?
 void expect_finer_at_other_pixels(const FramePair& pair, int& fine, int& listed) {
-    const UnprovenPixels unproven(pair);
+    const Plane<std::uint8_t> unproven = find_unproven_pixels(pair);
     const ViewRays<double> rays(pair.view);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            listed += unproven.hold(x, y);
-            for (std::uint32_t i = 0; i < pair.scene.triangles.size() && !unproven.hold(x, y); ++i) {
+            listed += unproven.at(x, y);
+            for (std::uint32_t i = 0; i < pair.scene.triangles.size() && !unproven.at(x, y); ++i) {
                 const CornersWorld p_world = corners_of(pair.scene, i);
                 const Neighbour by_reference = neighbour_of(rays.at(x, y), pair.reference.bounds, p_world),
                                 by_candidate = neighbour_of(rays.at(x, y), pair.candidate.bounds, p_world);

@@ -1,4 +1,4 @@
-#include "compare/agree/unproven_pixels.h"
+#include "compare/adjudicate/unproven_pixels.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -133,9 +133,7 @@ class CoarseOutline {
 
 }  // namespace
 
-UnprovenPixels::UnprovenPixels(const FramePair& frames)
-    : is_unproven_(Resolution{frames.view.width, frames.view.height},
-                   frames.candidate.bounds.is_watertight() && !frames.reference.bounds.is_watertight()) {
+Plane<std::uint8_t> find_unproven_pixels(const FramePair& frames) {
     const BoxProjection project(frames.view);
     const double fine_px = frames.candidate.bounds.least_eps_px();
     tbb::enumerable_thread_specific<std::vector<PixelCoord>> found;
@@ -145,8 +143,12 @@ UnprovenPixels::UnprovenPixels(const FramePair& frames)
             may_be_cut(frames.view.camera, bounds))
             CoarseOutline(frames, project, std::uint32_t(i)).list(found.local());
     });
+    const bool may_have_gaps =
+        frames.candidate.bounds.is_watertight() && !frames.reference.bounds.is_watertight();
+    Plane<std::uint8_t> is_unproven(Resolution{frames.view.width, frames.view.height}, may_have_gaps);
     for (const auto& part : found)
-        for (const PixelCoord& pixel : part) is_unproven_.at(pixel.x, pixel.y) = 1;
+        for (const PixelCoord& pixel : part) is_unproven.at(pixel.x, pixel.y) = 1;
+    return is_unproven;
 }
 
 }  // namespace zproof

@@ -1,0 +1,15 @@
+/// Where does the reference promise less of a triangle than the candidate? There it proves nothing that both
+/// name the same triangle (docs/truth.md, "What agreement proves").
+#pragma once
+
+#include <cstdint>
+
+#include "compare/rendered_frame.h"
+
+namespace zproof {
+
+/// 1 where the reference may see another triangle at the pixel's centre than is there, and the candidate may
+/// not; 0 elsewhere. Runs on all threads.
+Plane<std::uint8_t> find_unproven_pixels(const FramePair& frames);
+
+}  // namespace zproof
