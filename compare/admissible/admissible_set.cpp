@@ -78,7 +78,7 @@ template <class Number>
 bool AdmissibleSet<Number>::is_inside_by_rounding(size_t index) {
     const Neighbour& n = around_.neighbours[index];
     const double most_px = std::ranges::max(n.edge_rounding_px),
-                 moved_px = std::max(0.0, n.bounds.eps_px - most_px);
+                 moved_px = std::max(0.0, std::min(n.bounds.eps_px, around_.eps_px) - most_px);
     if (most_px == 0 || !std::isfinite(most_px + moved_px)) return false;
     const auto edges = edges_of(ray_, corners<Number>(n.p_world));
     for (const bool is_turned : {false, true}) {

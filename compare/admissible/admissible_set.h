@@ -60,7 +60,9 @@ class AdmissibleSet {
     /// Does the triangle, between near and far, meet the square at all?
     bool reaches(size_t index) { return !seen_pieces(index).empty(); }
     /// Or do its edge functions, rounded one by one as declared, all say that it holds the centre?
-    bool is_shown(size_t index) { return reaches(index) || is_inside_by_rounding(index); }
+    bool is_shown(size_t index) {
+        return reaches(index) || (half_side_px_ == around_.eps_px && is_inside_by_rounding(index));
+    }
     /// Does the near or far plane cut the triangle within the square?
     bool is_clipped(size_t index);
 

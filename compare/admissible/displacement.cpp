@@ -24,6 +24,13 @@ class VisibleWithin {
         const bool is_certain = seen == ConservativeTest::Visibility::no && around_.is_watertight;
         return !is_certain && is_estimated(half_side_px);
     }
+    /// Does a triangle meet the whole square?
+    bool reaches() {
+        if (answer_ == PrimitiveId::none) return true;
+        if (!set_) set_.emplace(around_, coplanar_);
+        set_->set_half_side(around_.eps_px);
+        return set_->reaches(*around_.index_of(answer_));
+    }
     double likely_px() const { return test_.likely_displacement_px(); }
     std::size_t work() const { return set_ ? set_->work() : 0; }
 
@@ -58,9 +65,8 @@ std::optional<double> least_displacement(VisibleWithin& seen_within, double eps_
         stride *= 2;
         if (step <= too_small || step >= enough) step = (too_small + enough) / 2;
     }
-    const bool is_elsewhere =
-        enough == displacement_steps && !is_seen(enough);  // shown by its rounding alone
-    return is_elsewhere ? std::nullopt : std::optional(double(too_small) / displacement_steps);
+    if (enough == displacement_steps && !seen_within.reaches()) return std::nullopt;  // shown by rounding alone
+    return double(too_small) / displacement_steps;
 }
 
 }  // namespace

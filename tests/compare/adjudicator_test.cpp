@@ -153,7 +153,8 @@ struct Crowd {
         while (true) {
             search_pixel.triangles.clear();
             for (std::uint32_t t = 0; t < scene.triangles.size(); ++t)
-                if (search.box_of(t).meets(square_around(q.x, q.y, search_pixel.reach_px)))
+                if (PrimitiveId(t) == q.answer ||
+                    search.box_of(t).meets(square_around(q.x, q.y, search_pixel.reach_px)))
                     search_pixel.triangles.push_back(t);
             Neighbourhood around = neighbourhood_of(scene, view, *q.bounds, search_pixel, own_px);
             if (around.eps_px <= search_pixel.reach_px) return around;

@@ -91,8 +91,8 @@ void try_frames(const TestScene& t, Tried& tried) {
             const bool ids_differ = t.candidate.primitive.at(x, y) != t.reference.primitive.at(x, y),
                        is_background = t.reference.primitive.at(x, y) == PrimitiveId::none;
             const bool is_proof =
-                !unproven.at(x, y) &&
-                (is_background || alone(pair, reference.frame, candidate.bounds, x, y).error >= 0);
+                !unproven.at(x, y) && (is_background || a.error < 0 ||
+                                       alone(pair, reference.frame, candidate.bounds, x, y).error >= 0);
             expected_maps.candidate.at(x, y) = a.in_map;
             expected_maps.reference.at(x, y) = b.in_map;
             const bool is_known = std::size_t(t.reference.primitive.at(x, y)) < t.scene.triangles.size();

@@ -24,6 +24,9 @@ inline std::optional<double> bisected_displacement(const Neighbourhood& around, 
         const int middle = (too_small + enough) / 2;
         (is_seen(middle) ? enough : too_small) = middle;
     }
+    set.set_half_side(around.eps_px);
+    if (enough == displacement_steps && answer != PrimitiveId::none && !set.reaches(*around.index_of(answer)))
+        return std::nullopt;  // shown by rounding, wherever it lies
     return double(too_small) / displacement_steps;
 }
 

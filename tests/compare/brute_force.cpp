@@ -188,8 +188,30 @@ bool Picture::leaves_bare(const std::vector<std::size_t>& occluders, EdgeRule ru
     return !is_covered(square(), sets);
 }
 
+/// Do its edges, each moved outwards by its own error, have a point in common within what else it is
+/// displaced by?
+bool Picture::is_inside_by_rounding(std::size_t index) const {
+    const Neighbour& n = around_.neighbours[index];
+    const double most = std::ranges::max(n.edge_rounding_px),
+                 moved = std::max(0.0, std::min(n.bounds.eps_px, around_.eps_px) - most);
+    if (most == 0 || !std::isfinite(most + moved)) return false;
+    const auto at = [&](std::size_t i) { return vector(triangles_[index].corner[i % 3].at); };
+    for (const int side : {1, -1}) {
+        const Rational h(moved);
+        Set set{{1, 0, h}, {-1, 0, h}, {0, 1, h}, {0, -1, h}};
+        for (std::size_t i = 0; i < 3; ++i) {
+            Functional f = functional(Rational(side) * cross(at(i + 1), at(i + 2)));
+            f.c += Rational(n.edge_rounding_px[i]) * Rational(abs(f.a) + abs(f.b));
+            set.push_back(f);
+        }
+        if (!is_empty(set)) return true;
+    }
+    return false;
+}
+
 bool Picture::holds(std::size_t index, Rules rules) const {
-    return reaches(index) && leaves_bare(in_front_of(index, rules.depth), rules.edges, index);
+    return (reaches(index) || is_inside_by_rounding(index)) &&
+           leaves_bare(in_front_of(index, rules.depth), rules.edges, index);
 }
 
 bool Picture::holds_background(EdgeRule rule) const {

@@ -38,6 +38,7 @@ class Picture {
 
     bool reaches(std::size_t index) const;
     bool is_visible(std::size_t index) const;
+    bool is_inside_by_rounding(std::size_t index) const;
     bool is_clipped(std::size_t index) const;
     bool holds(std::size_t index, Rules rules) const;
     bool holds_background(EdgeRule rule) const;

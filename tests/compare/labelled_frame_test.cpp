@@ -50,7 +50,7 @@ struct RandomPixel {
         const Adjudicator adjudicator(scene, view, {&bounds}, QueryDetail::admissibility);
         const Decision decision = adjudicator.decide(std::span(&query, 1)).front().decision;
         EXPECT_EQ(is_admissible(decision.admissibility), is_admissible_in_rationals(bounds, t, decision));
-        return holds_depth(bounds, t) && is_admissible(decision.admissibility);
+        return holds_depth(bounds, t) && is_admissible(decision.admissibility) && comes_near(bounds, t);
     }
 
   private:
@@ -61,6 +61,13 @@ struct RandomPixel {
         CoplanarCache memory(16);
         AdmissibleSet<Rational> set(around, memory);
         return is_admissible(word_for(set, around.neighbours.size(), t));
+    }
+    /// A label's triangles are looked for within eps: those that rounding alone shows are not among them.
+    bool comes_near(const ViewBounds& bounds, std::uint32_t t) const {
+        CoplanarCache memory(16);
+        const Neighbourhood around =
+            surroundings(scene, view, bounds, pixel, own_eps_px(scene, view, bounds, pixel, PrimitiveId(t)));
+        return AdmissibleSet<Rational>(around, memory).reaches(t);
     }
 
     explicit RandomPixel(Rng rng)

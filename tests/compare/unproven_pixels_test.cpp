@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "compare/adjudicate/image_box.h"
 #include "compare/admissible/neighbourhood.h"
 #include "compare/judge.h"
 #include "random_surroundings.h"
@@ -45,6 +46,8 @@ void expect_finer_at_other_pixels(const FramePair& pair, int& fine, int& listed)
                 const Neighbour by_reference = neighbour_of(rays.at(x, y), pair.reference.bounds, p_world),
                                 by_candidate = neighbour_of(rays.at(x, y), pair.candidate.bounds, p_world);
                 const double eps_px = by_reference.bounds.eps_px;
+                const auto box = BoxProjection(pair.view)(p_world);
+                if (!box || !box->meets(square_around(x, y, eps_px))) continue;  // beyond a tip
                 if (!by_reference.image || !is_near_an_edge(*by_reference.image, eps_px)) continue;
                 ASSERT_LE(eps_px, by_candidate.bounds.eps_px) << x << ' ' << y << ' ' << i;
                 ++fine;

@@ -19,7 +19,7 @@ Admissibility word_for(Set& set, std::size_t count, std::optional<std::size_t> i
         return set.holds_background(EdgeRule::separate) ? Admissibility::through_a_crack
                                                         : Admissibility::hole;
     }
-    if (!set.reaches(*index)) return Admissibility::outside;
+    if (!set.is_shown(*index)) return Admissibility::outside;
     if (set.is_visible(*index) || set.holds(*index, by_place)) return seen;
     if (set.holds(*index, by_depth)) return Admissibility::tied;
     return set.holds(*index, by_crack) ? Admissibility::through_a_crack : Admissibility::hidden;
