@@ -55,8 +55,8 @@ class WrongPlaces {
     void show(PlantedFrame& planted, const WrongPlace& wrong, int x, int y, double eps_px,
               double factor) const;
     bool hides(std::size_t occluder, std::size_t hidden, const ExactPlace& p, double half_side) const;
-    template <class N>
-    N held_within(const Image<N>& image, const Place<N>& p) const;
+    Number held_within(std::size_t triangle, const ExactPlace& p) const;
+    double roughly_held(std::size_t triangle, int x, int y) const;
     std::optional<double> exact_factor(const WrongPlace& wrong, int x, int y, double eps_px) const;
 
     const Trial& trial_;
