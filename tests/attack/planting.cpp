@@ -20,11 +20,10 @@ float depth_shown(const ExactScene& scene, std::size_t triangle, const Place<dou
 
 }  // namespace
 
-WrongPlaces::WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing, DepthFrom from)
+WrongPlaces::WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing)
     : trial_(trial),
       depth_relative_(depth_relative),
       sharing_(sharing),
-      from_(from),
       at_(trial.right().size(), {}),
       may_be_shown_(trial.right().size(), {}) {
     for (int y = 0; y < at_.size().height; ++y)
@@ -84,8 +83,8 @@ void WrongPlaces::find(int x, int y) {
 bool WrongPlaces::hides(std::size_t occluder, std::size_t hidden, const ExactPlace& p,
                         double half_side) const {
     const ExactScene& scene = trial_.truth();
-    const auto before = front_range(scene.image(occluder), p, Number(half_side), from_),
-               behind = front_range(scene.image(hidden), p, Number(half_side), from_);
+    const auto before = front_range(scene.image(occluder), p, Number(half_side), DepthFrom::square),
+               behind = front_range(scene.image(hidden), p, Number(half_side), DepthFrom::square);
     if (!before || !behind) return false;
     // beyond a plane's horizon it is as far as may be
     if (scene.view().camera.projection == Projection::perspective && before->least <= 0) return false;

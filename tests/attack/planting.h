@@ -31,10 +31,9 @@ struct WrongPlace {
 /// A frame's worth of answers that need more displacement than some promise, by pixels.
 class WrongPlaces {
   public:
-    /// Depths may err by a share of `depth_relative`, and are ordered as they are in `from`. Where pieces of
+    /// Depths may err by a share of `depth_relative`, and a plane counts all over the square. Where pieces of
     /// a triangle that is cut move apart, a gap may open along any of its diagonals.
-    WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing,
-                DepthFrom from = DepthFrom::square);
+    WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing);
 
     /// Least displacements needed, of all pixels, in order.
     std::vector<double> needs() const;
@@ -62,7 +61,6 @@ class WrongPlaces {
     const Trial& trial_;
     double depth_relative_;
     Sharing sharing_;
-    DepthFrom from_;
     Plane<std::vector<WrongPlace>> at_;
     Plane<std::vector<std::uint32_t>> may_be_shown_;  ///< triangles that cover the centre, and are not hidden
 };
