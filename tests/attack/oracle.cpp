@@ -112,6 +112,7 @@ ExactScene::ExactScene(const Scene& scene, const View& view, const Planes& plane
         ExactImage image = divided(near_by);
         left_by_planes_.push_back(divided(left));
         is_whole_.push_back(near_by == whole);
+        is_near_by_.push_back(near_by == left);
         rounded_.push_back(rounded_image(image));
         images_.push_back(std::move(image));
     }

@@ -41,6 +41,8 @@ class ExactScene {
     const ExactImage& image(std::size_t triangle) const { return images_[triangle]; }
     /// What near and far alone leave of it.
     const ExactImage& left_by_planes(std::size_t triangle) const { return left_by_planes_[triangle]; }
+    /// Does no part of that lie beyond farthest_place_px?
+    bool is_near_by(std::size_t triangle) const { return is_near_by_[triangle]; }
     /// Does nothing cut it? Its image has the triangle's corners then, in their order.
     bool is_whole(std::size_t triangle) const { return is_whole_[triangle]; }
     /// Its image, rounded: to choose by, never to decide by.
@@ -57,7 +59,7 @@ class ExactScene {
     bool is_perspective_;
     std::vector<ExactImage> images_, left_by_planes_;
     std::vector<Image<double>> rounded_;
-    std::vector<bool> is_whole_;
+    std::vector<bool> is_whole_, is_near_by_;
 };
 
 /// Where pixel (x, y) is sampled.
