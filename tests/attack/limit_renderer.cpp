@@ -131,9 +131,14 @@ class Drawing {
     void draw(std::size_t triangle) {
         const Image<double>& image = scene_.rounded(triangle);
         if (image.size() < 3) return;
-        for (std::size_t i = 2; i < image.size(); ++i)
-            draw_piece(triangle, {moved(triangle, 0, i), moved(triangle, i - 1, i), moved(triangle, i, i)},
+        // cuts far beside the picture are none of the renderer's: they part nothing
+        const bool is_in_pieces = scene_.is_near_by(triangle);
+        for (std::size_t i = 2; i < image.size(); ++i) {
+            const std::size_t piece = is_in_pieces ? i : 0;
+            draw_piece(triangle,
+                       {moved(triangle, 0, piece), moved(triangle, i - 1, piece), moved(triangle, i, piece)},
                        {image[0].front, image[i - 1].front, image[i].front});
+        }
     }
 
     void draw_piece(std::size_t triangle, const FixedTriangle& piece, const std::array<double, 3>& front) {

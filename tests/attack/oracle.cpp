@@ -4,6 +4,13 @@
 
 namespace zproof::attack {
 
+/// A point before the divide: it is seen at (x / w, y / w).
+struct Projected {
+    Number x, y, w, depth;
+
+    bool operator==(const Projected&) const = default;
+};
+
 namespace {
 
 using Vector = std::array<Number, 3>;
@@ -17,12 +24,6 @@ Vector cross(const Vector& a, const Vector& b) {
             Number(a[0] * b[1] - a[1] * b[0])};
 }
 
-/// A point before the divide: it is seen at (x / w, y / w).
-struct Projected {
-    Number x, y, w, depth;
-
-    bool operator==(const Projected&) const = default;
-};
 using Polygon = std::vector<Projected>;
 
 class ExactCamera {
@@ -74,7 +75,11 @@ Polygon cut(const Polygon& polygon, const Distance& distance) {
 
 Polygon what_is_left(Polygon polygon, const Planes& planes) {
     polygon = cut(polygon, [&](const Projected& p) { return Number(p.depth - planes.near); });
-    if (planes.far) polygon = cut(polygon, [&](const Projected& p) { return Number(*planes.far - p.depth); });
+    if (!planes.far) return polygon;
+    return cut(polygon, [&](const Projected& p) { return Number(*planes.far - p.depth); });
+}
+
+Polygon part_near_the_picture(Polygon polygon) {
     const Number far = farthest_place_px;
     polygon = cut(polygon, [&](const Projected& p) { return Number(p.x + far * p.w); });
     polygon = cut(polygon, [&](const Projected& p) { return Number(far * p.w - p.x); });
@@ -103,14 +108,21 @@ ExactScene::ExactScene(const Scene& scene, const View& view, const Planes& plane
     for (const glm::vec3& p_world : scene.vertices.position_world) projected.push_back(camera(p_world));
     for (const glm::uvec3& t : scene.triangles) {
         const Polygon whole{projected[t.x], projected[t.y], projected[t.z]},
-            left = what_is_left(whole, planes);
-        ExactImage image;
-        for (const Projected& p : left)
-            image.push_back({p.x / p.w, p.y / p.w, is_perspective_ ? Number(1 / p.depth) : Number(-p.depth)});
-        is_whole_.push_back(left == whole);
+            left = what_is_left(whole, planes), near_by = part_near_the_picture(left);
+        ExactImage image = divided(near_by);
+        left_by_planes_.push_back(divided(left));
+        is_whole_.push_back(near_by == whole);
+        is_near_by_.push_back(near_by == left);
         rounded_.push_back(rounded_image(image));
         images_.push_back(std::move(image));
     }
+}
+
+ExactImage ExactScene::divided(const Polygon& polygon) const {
+    ExactImage image;
+    for (const Projected& p : polygon)
+        image.push_back({p.x / p.w, p.y / p.w, is_perspective_ ? Number(1 / p.depth) : Number(-p.depth)});
+    return image;
 }
 
 Number ExactScene::depth(const Number& front) const {

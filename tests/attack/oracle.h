@@ -27,6 +27,9 @@ Planes planes_of(const View& view);
 /// neighbour of a pixel, and places within it are integers of 2^-20 px in 64 bits.
 inline constexpr int farthest_place_px = 32768;
 
+/// A point before the divide.
+struct Projected;
+
 /// The view's projection of a scene's triangles, each cut by near, far and farthest_place_px.
 class ExactScene {
   public:
@@ -36,6 +39,10 @@ class ExactScene {
     const View& view() const { return view_; }
     std::size_t size() const { return images_.size(); }
     const ExactImage& image(std::size_t triangle) const { return images_[triangle]; }
+    /// What near and far alone leave of it.
+    const ExactImage& left_by_planes(std::size_t triangle) const { return left_by_planes_[triangle]; }
+    /// Does no part of that lie beyond farthest_place_px?
+    bool is_near_by(std::size_t triangle) const { return is_near_by_[triangle]; }
     /// Does nothing cut it? Its image has the triangle's corners then, in their order.
     bool is_whole(std::size_t triangle) const { return is_whole_[triangle]; }
     /// Its image, rounded: to choose by, never to decide by.
@@ -46,11 +53,13 @@ class ExactScene {
     double depth(double front) const { return is_perspective_ ? 1 / front : -front; }
 
   private:
+    ExactImage divided(const std::vector<Projected>& polygon) const;
+
     View view_;
     bool is_perspective_;
-    std::vector<ExactImage> images_;
+    std::vector<ExactImage> images_, left_by_planes_;
     std::vector<Image<double>> rounded_;
-    std::vector<bool> is_whole_;
+    std::vector<bool> is_whole_, is_near_by_;
 };
 
 /// Where pixel (x, y) is sampled.

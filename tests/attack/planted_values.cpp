@@ -56,6 +56,16 @@ struct Nearest {
     Number end, room;
 };
 
+/// A triangle without a plane has any depth between its corners'.
+Extremes<Number> front_of_corners(const ExactImage& image) {
+    Extremes<Number> extremes{image[0].front, image[0].front};
+    for (const auto& c : image) {
+        extremes.least = std::min<Number>(extremes.least, c.front);
+        extremes.greatest = std::max<Number>(extremes.greatest, c.front);
+    }
+    return extremes;
+}
+
 std::optional<Nearest> nearest_of_all(const ExactScene& scene, const Allowance& allowance, int x, int y) {
     const ExactPlace p = place_of(scene.view(), x, y);
     const Place<double> rounded = rounded_place_of(scene.view(), x, y);
@@ -64,7 +74,7 @@ std::optional<Nearest> nearest_of_all(const ExactScene& scene, const Allowance& 
         const auto distance = distance_to(scene.rounded(t), rounded);
         if (!distance || *distance > 2 * allowance.eps_px + 1e-6) continue;
         auto front = front_range(scene.image(t), p, Number(allowance.eps_px), DepthFrom::square);
-        if (!front) front = front_in_square(scene.image(t), p, Number(allowance.eps_px));
+        if (!front) front = front_of_corners(scene.image(t));
         if (!front || (scene.view().camera.projection == Projection::perspective && front->greatest <= 0))
             continue;
         const Number end = scene.depth(front->greatest);

@@ -20,11 +20,10 @@ float depth_shown(const ExactScene& scene, std::size_t triangle, const Place<dou
 
 }  // namespace
 
-WrongPlaces::WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing, DepthFrom from)
+WrongPlaces::WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing)
     : trial_(trial),
       depth_relative_(depth_relative),
       sharing_(sharing),
-      from_(from),
       at_(trial.right().size(), {}),
       may_be_shown_(trial.right().size(), {}) {
     for (int y = 0; y < at_.size().height; ++y)
@@ -32,14 +31,21 @@ WrongPlaces::WrongPlaces(const Trial& trial, double depth_relative, Sharing shar
 }
 
 /// How far its sides, and the diagonals along which it may come apart, are from p, which it covers.
-template <class N>
-N WrongPlaces::held_within(const Image<N>& image, const Place<N>& p) const {
-    N least = inset_of(image, p);
+Number WrongPlaces::held_within(std::size_t triangle, const ExactPlace& p) const {
+    Number least = inset_of(trial_.truth().image(triangle), p);
     if (sharing_ == Sharing::alike) return least;
-    for (std::size_t i = 0; i < image.size(); ++i)
-        for (std::size_t k = i + 2; k < image.size(); ++k)
-            least = std::min<N>(least, distance_to_side(image[i], image[k], p));
+    const ExactImage& left = trial_.truth().left_by_planes(triangle);
+    for (std::size_t i = 0; i < left.size(); ++i)
+        for (std::size_t k = i + 2; k < left.size(); ++k)
+            least = std::min<Number>(least, distance_to_side(left[i], left[k], p));
     return least;
+}
+
+double WrongPlaces::roughly_held(std::size_t triangle, int x, int y) const {
+    const ExactScene& scene = trial_.truth();
+    if (sharing_ == Sharing::apart && scene.left_by_planes(triangle).size() > 3)
+        return double(held_within(triangle, place_of(scene.view(), x, y)));
+    return inset_of(scene.rounded(triangle), rounded_place_of(scene.view(), x, y));
 }
 
 /// By rounded numbers: exact_factor() says whether it is true.
@@ -55,7 +61,7 @@ void WrongPlaces::find(int x, int y) {
             at_.at(x, y).push_back({PixelClass::outside, PrimitiveId(t), t, *distance});
         if (*distance > 0) continue;
         covering.push_back(t);
-        const double inset = held_within(scene.rounded(t), p);
+        const double inset = roughly_held(t, x, y);
         if (inset > hole.need_px) hole.need_px = inset, hole.other = t;
     }
     if (hole.need_px > 0 && hole.need_px < most_need_px) at_.at(x, y).push_back(hole);
@@ -64,7 +70,7 @@ void WrongPlaces::find(int x, int y) {
         WrongPlace hidden{PixelClass::hidden, PrimitiveId(t), t, 0};
         for (const std::size_t other : covering) {
             if (front_at(scene.rounded(other), p).value_or(-HUGE_VAL) <= front) continue;
-            const double inset = held_within(scene.rounded(other), p);
+            const double inset = roughly_held(other, x, y);
             if (inset > hidden.need_px && hides(other, t, place_of(scene.view(), x, y), inset))
                 hidden.need_px = inset, hidden.other = other;
         }
@@ -77,8 +83,8 @@ void WrongPlaces::find(int x, int y) {
 bool WrongPlaces::hides(std::size_t occluder, std::size_t hidden, const ExactPlace& p,
                         double half_side) const {
     const ExactScene& scene = trial_.truth();
-    const auto before = front_range(scene.image(occluder), p, Number(half_side), from_),
-               behind = front_range(scene.image(hidden), p, Number(half_side), from_);
+    const auto before = front_range(scene.image(occluder), p, Number(half_side), DepthFrom::square),
+               behind = front_range(scene.image(hidden), p, Number(half_side), DepthFrom::square);
     if (!before || !behind) return false;
     // beyond a plane's horizon it is as far as may be
     if (scene.view().camera.projection == Projection::perspective && before->least <= 0) return false;
@@ -92,7 +98,7 @@ std::optional<double> WrongPlaces::exact_factor(const WrongPlace& wrong, int x, 
     const ExactScene& scene = trial_.truth();
     const ExactPlace p = place_of(scene.view(), x, y);
     const Number need = wrong.kind == PixelClass::outside ? *distance_to(scene.image(wrong.other), p)
-                                                          : held_within(scene.image(wrong.other), p);
+                                                          : held_within(wrong.other, p);
     if (wrong.kind == PixelClass::hidden && !hides(wrong.other, std::size_t(wrong.primitive), p, 2 * eps_px))
         return std::nullopt;
     return double(need / Number(eps_px));

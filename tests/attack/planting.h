@@ -31,10 +31,9 @@ struct WrongPlace {
 /// A frame's worth of answers that need more displacement than some promise, by pixels.
 class WrongPlaces {
   public:
-    /// Depths may err by a share of `depth_relative`, and are ordered as they are in `from`. Where pieces of
+    /// Depths may err by a share of `depth_relative`, and a plane counts all over the square. Where pieces of
     /// a triangle that is cut move apart, a gap may open along any of its diagonals.
-    WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing,
-                DepthFrom from = DepthFrom::square);
+    WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing);
 
     /// Least displacements needed, of all pixels, in order.
     std::vector<double> needs() const;
@@ -55,14 +54,13 @@ class WrongPlaces {
     void show(PlantedFrame& planted, const WrongPlace& wrong, int x, int y, double eps_px,
               double factor) const;
     bool hides(std::size_t occluder, std::size_t hidden, const ExactPlace& p, double half_side) const;
-    template <class N>
-    N held_within(const Image<N>& image, const Place<N>& p) const;
+    Number held_within(std::size_t triangle, const ExactPlace& p) const;
+    double roughly_held(std::size_t triangle, int x, int y) const;
     std::optional<double> exact_factor(const WrongPlace& wrong, int x, int y, double eps_px) const;
 
     const Trial& trial_;
     double depth_relative_;
     Sharing sharing_;
-    DepthFrom from_;
     Plane<std::vector<WrongPlace>> at_;
     Plane<std::vector<std::uint32_t>> may_be_shown_;  ///< triangles that cover the centre, and are not hidden
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "tests/attack/lot.h"
@@ -118,24 +119,28 @@ std::optional<Met> meet_sheared(const Corners<T>& v, const Vec<T>& d, double tol
     return met_where<T>(w, (w[0] * s[0].z + w[1] * s[1].z + w[2] * s[2].z) / sum);
 }
 
-/// One after the other: the nearest answer wins, and of equal ones the last.
+/// One after the other: the nearest hit between near and far wins, and of equal ones the last. T is the
+/// arithmetic in which depths are compared.
+template <class T>
 class NearestHit {
   public:
     explicit NearestHit(const View& view)
-        : near_(float(view.camera.near_depth)), far_(float(view.camera.far_depth)) {}
-    void take(std::uint32_t triangle, double depth) {
-        const auto shown = float(depth);
-        if (!(shown >= near_ && shown <= far_) || shown > depth_) return;
-        depth_ = shown;
+        : near_(T(view.camera.near_depth)), far_(T(view.camera.far_depth)) {}
+    /// `shown` is what the frame says of a hit at this depth.
+    void take(std::uint32_t triangle, T depth, double shown) {
+        if (!(depth >= near_ && depth <= far_) || depth > depth_) return;
+        depth_ = depth;
+        shown_ = float(shown);
         id_ = PrimitiveId(triangle);
     }
     void show(Frame& frame, int x, int y) const {
         frame.primitive.at(x, y) = id_;
-        frame.camera_depth.at(x, y) = id_ == PrimitiveId::none ? background_depth : depth_;
+        frame.camera_depth.at(x, y) = id_ == PrimitiveId::none ? background_depth : shown_;
     }
 
   private:
-    float near_, far_, depth_ = HUGE_VALF;
+    T near_, far_, depth_ = std::numeric_limits<T>::infinity();
+    float shown_ = 0;
     PrimitiveId id_ = PrimitiveId::none;
 };
 
@@ -157,7 +162,7 @@ class Caster {
         for (int y = 0; y < view_.height; ++y)
             for (int x = 0; x < view_.width; ++x) {
                 const std::uint64_t lot = mixed(choices_.seed, std::uint64_t(y) << 32 | std::uint64_t(x));
-                NearestHit hit(view_);
+                NearestHit<T> hit(view_);
                 const ExactRay ray = aimed(view_, x, y, precision_.aim_offset_px, lot);
                 for (std::uint32_t t = 0; t < scene_.triangles.size(); ++t) meet(t, ray, lot, hit);
                 hit.show(frame, x, y);
@@ -166,7 +171,7 @@ class Caster {
     }
 
   private:
-    void meet(std::uint32_t triangle, const ExactRay& ray, std::uint64_t lot, NearestHit& hit) const {
+    void meet(std::uint32_t triangle, const ExactRay& ray, std::uint64_t lot, NearestHit<T>& hit) const {
         const double more = (precision_.direction_roundings - 1) * unit_roundoff<T> * nearly_all;
         const glm::dvec3 ways{sign_of(lot, 2), sign_of(lot, 3), sign_of(lot, 4)};
         const Vec<T> origin(ray.origin), direction(ray.direction * (1.0 + more * ways));
@@ -176,10 +181,7 @@ class Caster {
         if (!met) return;
         double depth = double(T(ray.start) + T(met->t));
         if (precision_.hit_point == HitPoint::barycentrics) depth = depth_of_point(p, met->weights);
-        if (precision_.depth_of_range > 0)
-            depth += precision_.depth_of_range * nearly_all * sign_of(lot, 5) *
-                     (view_.camera.far_depth - view_.camera.near_depth);
-        hit.take(triangle, depth);
+        hit.take(triangle, T(depth), depth);
     }
 
     std::optional<Met> test(const Corners<T>& v, const Vec<T>& d) const {
@@ -269,15 +271,15 @@ Frame cast(const PlaneRayPrecision& precision, const Scene& scene, const View& v
             const std::uint64_t lot = mixed(choices.seed, std::uint64_t(y) << 32 | std::uint64_t(x));
             const ExactRay ray = aimed(view, x, y, precision.aim_offset_px, lot);
             const glm::dvec3 origin = ray.origin - eye, direction = glm::normalize(ray.direction);
-            NearestHit hit(view);
+            NearestHit<double> hit(view);
             for (std::uint32_t t = 0; t < planes.size(); ++t)
                 if (const auto at =
                         planes[t].meet(origin, direction, precision.least_grazing_sine, choices.inside)) {
-                    double depth = -glm::dot(c.back, origin + *at * direction);
+                    const double depth = -glm::dot(c.back, origin + *at * direction);
                     // the rounding to a float is a part of what is declared
-                    depth *=
-                        1 + std::max(0.0, precision.depth_relative - 0x1p-24) * nearly_all * sign_of(lot, 2);
-                    hit.take(t, depth);
+                    const double error =
+                        std::max(0.0, precision.depth_relative - 0x1p-24) * nearly_all * sign_of(lot, 2);
+                    hit.take(t, depth, depth * (1 + error));
                 }
             hit.show(frame, x, y);
         }

@@ -66,8 +66,10 @@ TEST_P(TightBeyond, FailsInHandMadeScenes) {
 
 TEST_P(TightBeyond, FailsInRandomScenes) {
     Tightness tightness;
-    const AttackScene scene = random_attack_scene(62, GetParam() * 3);
-    if (scene.scene.triangles.size() <= most_planted_triangles) tightness.plant_in(scene);
+    for (std::uint64_t n = GetParam(); tightness.planted() < 20'000; n += slices) {
+        const AttackScene scene = random_attack_scene(62, n);
+        if (scene.scene.triangles.size() <= most_planted_triangles) tightness.plant_in(scene);
+    }
     expect_published(tightness);
 }
 

@@ -75,16 +75,8 @@ void Tightness::plant_in(const AttackScene& scene) {
 /// The promise is made to fit: what a wrong answer needs, divided by the factor.
 void Tightness::plant_places(const Trial& trial) {
     constexpr double share = 1e-6;
-    struct Kind {
-        Sharing sharing;
-        DepthFrom from;
-        std::string promise;
-    };
-    for (const auto& [sharing, from, promise_text] :
-         {Kind{Sharing::alike, DepthFrom::square, "bounded"},
-          Kind{Sharing::alike, DepthFrom::own_part, "bounded, own part"},
-          Kind{Sharing::apart, DepthFrom::square, "bounded, watertight=false"}}) {
-        const WrongPlaces wrong(trial, share, sharing, from);
+    for (const Sharing sharing : {Sharing::alike, Sharing::apart}) {
+        const WrongPlaces wrong(trial, share, sharing);
         const std::vector<double> needs = wrong.needs();
         if (needs.empty()) continue;
         for (const double factor : factors)
@@ -94,7 +86,8 @@ void Tightness::plant_places(const Trial& trial) {
                 const BoundedPrecision promise{
                     .eps_px = eps_px, .depth_relative = share, .watertight = sharing == Sharing::alike};
                 const PlantedFrame planted = wrong.planted(eps_px, factor);
-                count({trial, planted, trial.judge_of(planted.frame, promise), "", promise_text});
+                count({trial, planted, trial.judge_of(planted.frame, promise), "",
+                       promise.watertight ? "bounded" : "bounded, watertight=false"});
             }
     }
 }
