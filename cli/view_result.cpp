@@ -126,8 +126,8 @@ std::string undecidable_words(const Verdict& verdict) {
     std::ostringstream text;
     text
         << undecidable_count(verdict) << " pixels are undecidable at eps = " << std::setprecision(3) << eps_px
-        << " px: so many triangles may be shown there that it would take too long; declare a finer precision "
-           "if it is finer, or choose a view in which float32 is";
+        << " px: so many triangles may be shown there that deciding would take too long. Declare a finer "
+           "precision if the renderer has one; else move scene and eye to the origin, where float32 is finer";
     return text.str();
 }
 

@@ -1,8 +1,6 @@
 /// Promises from both sides: a rasterizer that computes as it declares has no defect on the whole suite, and
 /// one that declares another arithmetic than its own has some.
 #include <gtest/gtest.h>
-#include <iostream>
-#include "compare/explanation/explain.h"
 
 #include "compare/judge.h"
 #include "oracle/embree.h"
@@ -115,11 +113,8 @@ class Pictures {
         std::uint64_t defects = 0;
         for (std::size_t i = 0; i < loaded_.views.size(); ++i) {
             const Frame frame = emulate(own, loaded_.scene, loaded_.views[i]);
-            const Verdict verdict = judge(loaded_.scene, loaded_.views[i], {frame, declared},
-                                          {references_[i], oracle::embree_precision()});
-            for (const Finding& f : verdict.findings)
-                std::cerr << "DBG " << loaded_.views[i].name << ' ' << f.x << ' ' << f.y << ' ' << in_words(loaded_.scene, f) << '\n';
-            defects += defect_count(verdict);
+            defects += defect_count(judge(loaded_.scene, loaded_.views[i], {frame, declared},
+                                          {references_[i], oracle::embree_precision()}));
         }
         return defects;
     }

@@ -1,0 +1,96 @@
+/// Depths and gaps at the limit of what is promised, and a hundredth beyond it.
+#include <gtest/gtest.h>
+
+#include "test_scene.h"
+
+namespace zproof {
+namespace {
+
+PixelClass class_of_depth(TestScene t, int x, int y, double depth) {
+    answer(t.candidate, x, y, 0, depth);
+    return t.class_at(x, y);
+}
+
+TEST(HeldToThePromise, ADeclaredShareOfDepthIsThatShare) {
+    TestScene t(Projection::parallel, 2, 2, {wall(4)});
+    answer_everywhere(t.reference, 0, 4);
+    t.candidate_precision = BoundedPrecision{.eps_px = 1e-9, .depth_relative = 0.5};
+    for (const double depth : {2.0, 4.0, 6.0}) EXPECT_EQ(class_of_depth(t, 0, 0, depth), PixelClass::agree);
+    for (const double depth : {1.98, 6.02, 7.99})
+        EXPECT_EQ(class_of_depth(t, 0, 0, depth), PixelClass::wrong_depth);
+}
+
+/// A triangle in a plane through the eye (perspective) or along the view (parallel), over the centre of pixel
+/// (1, 1).
+TestScene edge_on(Projection projection) {
+    return {projection, 4, 4, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}}};
+}
+
+TEST(HeldToThePromise, ATriangleSeenEdgeOnHasADepthBetweenItsCorners) {
+    for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+        TestScene t = edge_on(projection);
+        t.candidate_precision = BoundedPrecision{.eps_px = 1e-3, .depth_relative = 1e-3};
+        for (const double depth : {1.999, 2.0, 5.0, 8.0, 8.007})
+            EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::edge) << depth;
+        for (const double depth : {1e-3, 1.99, 8.02, 99.0, 1e30})
+            EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::wrong_depth) << depth;
+    }
+}
+
+/// A float32 ray may take such a plane for any other, but it ends at far.
+TEST(HeldToThePromise, ARaysDepthLiesBetweenNearAndFar) {
+    for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+        TestScene t = edge_on(projection);
+        t.candidate_precision = ray_precision();
+        EXPECT_EQ(class_of_depth(t, 1, 1, 5), PixelClass::edge);
+        for (const double depth : {2e-3, 2000.0, 1e30})
+            EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::wrong_depth) << depth;
+    }
+}
+
+/// Near leaves a quadrilateral of the triangle. One of its diagonals passes 1/6 px beside the centre of pixel
+/// (6, 4).
+TEST(HeldToThePromise, ATriangleThatNearCutsHasAGapAlongADiagonal) {
+    TestScene t(Projection::parallel, 8, 8, {{{{-8, -8, 2}, {16, -8, 8}, {16, 24, 8}}}});
+    t.view.camera.near_depth = 4;
+    answer(t.reference, 6, 4, 0, 5.625);
+    BoundedPrecision precision{.eps_px = 0.168, .depth_relative = 1e-9, .watertight = false};
+    const auto class_by = [&](const BoundedPrecision& declared) {
+        t.candidate_precision = declared;
+        return t.class_at(6, 4);
+    };
+    EXPECT_EQ(class_by(precision), PixelClass::clip);
+    precision.eps_px = 0.165;
+    EXPECT_EQ(class_by(precision), PixelClass::hole);
+    precision = {.eps_px = 0.168, .depth_relative = 1e-9};
+    EXPECT_EQ(class_by(precision), PixelClass::hole) << "a watertight one has no gap";
+}
+
+/// What near leaves moves as a whole: its cut lies 1/2 px beside the centre of pixel (0, 0).
+TEST(HeldToThePromise, TheCutOfNearMovesWithWhatItLeaves) {
+    TestScene t(Projection::parallel, 8, 8, {{{{-8, -8, 2}, {16, -8, 8}, {16, 24, 8}}}});
+    t.view.camera.near_depth = 4;
+    answer(t.reference, 0, 0, 0, 4.125);
+    const auto class_by = [&](double eps_px) {
+        t.candidate_precision =
+            BoundedPrecision{.eps_px = eps_px, .depth_relative = 1e-9, .watertight = false};
+        return t.class_at(0, 0);
+    };
+    EXPECT_TRUE(passes(class_by(0.51)));
+    EXPECT_EQ(class_by(0.49), PixelClass::hole);
+}
+
+/// A needle in line with the centre of pixel (5, 1), 3 px beyond its tip: all edge functions err by more than
+/// its width.
+TEST(HeldToThePromise, RoundedEdgeFunctionsShowATriangleBeyondItsTip) {
+    const double thin = 1e-6;
+    TestScene t(Projection::parallel, 8, 4, {{{{-40, 1.5, 4}, {2.5, 1.5, 4}, {-40, 1.5 + thin, 4}}}});
+    t.candidate_precision = RasterPrecision{.snap = Snap::none, .edge_functions = EdgeFunctions::from_corner};
+    EXPECT_EQ(class_of_depth(t, 5, 1, 4), PixelClass::edge);
+    EXPECT_EQ(class_of_depth(t, 5, 2, 4), PixelClass::outside) << "beside the line";
+    t.candidate_precision = RasterPrecision{.snap = Snap::none};
+    EXPECT_EQ(class_of_depth(t, 5, 1, 4), PixelClass::outside) << "exact edge functions say so";
+}
+
+}  // namespace
+}  // namespace zproof
