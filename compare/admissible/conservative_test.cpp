@@ -46,7 +46,6 @@ ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answ
         if (!is_answer && misses(n, around.eps_px)) continue;
         const bool is_clear = (n.is_trusted || !is_answer) && is_clear_of_planes(n);
         is_asked_ &= is_clear;
-        is_known_ &= is_clear || !is_answer;
         if (is_answer)
             answer_ = &n;
         else if (!n.may_be_missing)
@@ -171,7 +170,19 @@ bool ConservativeTest::hides_in(const Neighbour& n, double half_side_px) const {
     return is_in_front || coplanar_(n.of_scene(), answer_->of_scene());
 }
 
-bool ConservativeTest::is_seen_at_centre() const { return is_known_ && is_seen_at({0, 0}); }
+bool ConservativeTest::is_seen_at_centre() const {
+    return is_known_ && (!answer_ || lies_between_planes(*answer_)) && is_seen_at({0, 0});
+}
+
+/// Does it lie between near and far, where they are, at the centre?
+bool ConservativeTest::lies_between_planes(const Neighbour& n) const {
+    const Camera& c = around_.view.camera;
+    const bool perspective = c.projection == Projection::perspective;
+    const auto inverse_depth = [&](double depth) { return perspective ? 1 / depth : -depth; };
+    const double error = inverse_depth_error(n);
+    return n.is_trusted && n.image->inverse_depth.c + error < inverse_depth(c.near_depth) &&
+           n.image->inverse_depth.c - error > inverse_depth(c.far_depth);
+}
 
 auto ConservativeTest::finding() const -> Finding {
     if (!is_asked_) return Finding::undecided;

@@ -55,6 +55,7 @@ class ConservativeTest {
     bool is_outside(const Neighbour& n, const PixelOffset& at) const;
     bool is_behind_answer(const Neighbour& n, const PixelOffset& at) const;
     bool is_clear_of_planes(const Neighbour& n) const;
+    bool lies_between_planes(const Neighbour& n) const;
     bool keeps_between_planes(const Neighbour& n, double half_side_px) const;
     bool is_seen_at(const PixelOffset& at) const;
     bool is_held_at(const PixelOffset& at) const;
@@ -72,8 +73,8 @@ class ConservativeTest {
     double error_scale_;
     const Neighbour* answer_ = nullptr;     ///< none for background
     std::vector<const Neighbour*> others_;  ///< that do not miss the square for certain, without the answer's
-    bool is_known_ = false;                 ///< is the answer's image certain, and cuts no plane it?
-    bool is_asked_ = false;                 ///< the same, and cuts no plane anything?
+    bool is_known_ = false;                 ///< is there such an answer?
+    bool is_asked_ = false;                 ///< is its image certain as well, and cuts no plane anything?
 };
 
 }  // namespace zproof
