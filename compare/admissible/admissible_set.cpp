@@ -309,12 +309,19 @@ bool AdmissibleSet<Number>::continues(LinePointer edge, const std::vector<size_t
 template <class Number>
 bool AdmissibleSet<Number>::may_part(size_t occluder, std::optional<size_t> seen,
                                      const std::vector<size_t>& occluders) {
-    for (const Piece& piece : seen_pieces(occluder))
+    HalfPlanes<Number> cuts;
+    push_planes(cuts, occluder);
+    for (const Piece& piece : seen_pieces(occluder)) {
+        const auto is_cut_by = [&](LinePointer cut) {
+            return piece.region.touches(*cut) || piece.region.outside(*cut).has_value();
+        };
+        if (std::ranges::any_of(cuts, is_cut_by)) return true;
         for (const LinePointer edge : drawn(occluder).edge) {
             spend(1 + occluders.size() / 128);  // a comparison of ids costs a small part of a cut
             if (!piece.region.touches(*edge) || continues(edge, occluders)) continue;
             if (!seen || !are_on_one_side(edge, *seen).value_or(false)) return true;
         }
+    }
     return false;
 }
 
@@ -473,7 +480,8 @@ bool AdmissibleSet<Number>::is_cut_at_the_centre(size_t occluder) {
                 if (sign(h * (magnitude(f.a) + magnitude(f.b)) - magnitude(f.c)) >= 0) return true;
                 here.push_back(sign(f.c));
             }
-            if (!sides.empty() && here != sides) return true;
+            // a corner between both places of a plane has diagonals of its own
+            if (here.size() == sides.size() && here != sides) return true;
             sides = here;
         }
     return false;

@@ -5,6 +5,7 @@
 
 #include "math/interval.h"
 #include "math/rational.h"
+#include "math/rounding.h"
 
 namespace zproof {
 
@@ -51,8 +52,12 @@ CornerLimits corner_limits(const Neighbour& n, Projection projection, double z) 
 /// Of a depth that nothing else bounds: may a pixel show it that is cut by near and far?
 bool is_between_planes(const Camera& camera, const ViewBounds& bounds, const Neighbour& n, double z) {
     if (z < 0 && camera.near_depth >= 0) return false;
+    // a plane, a distance, where it begins, and their sum are rounded before they are compared
+    const double rounding = gamma(4, unit_roundoff_float32), near = bounds.near_depth(),
+                 far = camera.far_depth;
     return !bounds.cuts_by_depth() ||
-           (z >= bounds.near_depth() - n.near_slack && z <= camera.far_depth + n.far_slack);
+           (z >= near - std::min(n.near_slack, rounding * std::abs(near)) &&
+            z <= far + std::min(n.far_slack, rounding * (std::abs(near) + std::abs(far))));
 }
 
 bool is_admissible_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world,

@@ -65,7 +65,8 @@ std::optional<double> least_displacement(VisibleWithin& seen_within, double eps_
         stride *= 2;
         if (step <= too_small || step >= enough) step = (too_small + enough) / 2;
     }
-    if (enough == displacement_steps && !seen_within.reaches()) return std::nullopt;  // shown by rounding alone
+    if (enough == displacement_steps && !seen_within.reaches())
+        return std::nullopt;  // shown by rounding alone
     return double(too_small) / displacement_steps;
 }
 

@@ -150,9 +150,15 @@ Set Picture::cover(std::size_t occluder, std::optional<std::size_t> seen) const 
     return set;
 }
 
-/// Has it an edge in the square that none of them goes on beyond?
+/// Is it cut in the square, or has it an edge there that none of them goes on beyond?
 bool Picture::may_part(std::size_t occluder, const std::vector<std::size_t>& occluders,
                        std::optional<std::size_t> seen) const {
+    for (const Functional& f :
+         clip_planes(occluder, triangles_[occluder].inverse_depth, Plane::as_near_as_it_may_be)) {
+        Set beyond = outline(occluder);
+        beyond.push_back({-f.a, -f.b, -f.c});
+        if (!is_empty(beyond)) return true;
+    }
     for (std::size_t e = 0; e < 3; ++e) {
         bool goes_on = seen && side_of(occluder, e, *seen) == 1;
         for (const std::size_t o : occluders) goes_on = goes_on || side_of(occluder, e, o) == -1;
