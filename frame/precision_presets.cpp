@@ -50,7 +50,6 @@ constexpr RasterPrecision pytorch3d() {
             .least_area_px2 = least_area_px2,
             .area_epsilon_px2 = least_area_px2,
             .watertight = false,
-            .nothing_behind_the_eye = true,
             .depth_roundings = 16};
 }
 

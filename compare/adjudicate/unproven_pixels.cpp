@@ -48,8 +48,13 @@ class CoarseOutline {
     void list(std::vector<PixelCoord>& pixels) {
         if (box_.is_empty()) return;
         const Span here = inverse_depths();
-        eps_px_ = BoundsOnPlane(reference_, in_view_.gradient).at(here.high).eps_px;
-        const bool is_finer = eps_px_ <= BoundsOnPlane(candidate_, in_view_.gradient).at(here.low).eps_px;
+        const BoundsOnPlane reference(reference_, in_view_.gradient),
+            candidate(candidate_, in_view_.gradient);
+        const auto is_finer_at = [&](double inverse_depth) {
+            return reference.at(inverse_depth).eps_px <= candidate.at(inverse_depth).eps_px;
+        };
+        const bool is_finer = is_finer_at(here.low) && is_finer_at(here.high);
+        eps_px_ = reference.at(here.high).eps_px;
         if (reference_.may_be_missing && !candidate_.may_be_missing) list_band({0, 0, 0}, 0, pixels);
         for (const Affine<double>& edge : first_.edges)
             if (!is_finer) list_band(edge, reach_of(edge), pixels);
