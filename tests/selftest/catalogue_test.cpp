@@ -65,7 +65,7 @@ TEST(EqualToReference, FailsWhereItsRendererPromisesMoreThanTheReferenceKeeps) {
     const Verdict verdict = judge(fixture.scene, fixture.view, {fixture.reference, fixture.precision},
                                   {fixture.reference, fixture.reference_precision});
     EXPECT_GT(verdict.counts[std::size_t(PixelClass::wrong_depth)], 0u);
-    EXPECT_EQ(verdict.adjudicated, 0u);
+    EXPECT_GT(verdict.adjudicated, 0u) << "its ids prove nothing where it promises less";
     EXPECT_EQ(verdict.reference_defects, 0u);
 }
 
