@@ -26,8 +26,8 @@ struct AnswerCheck {
     double error_over_bound = 0;      ///< of its depth; NaN where there is none to ask about
 };
 
-/// What is known of a pixel, answer by answer; decisions only of ids that are undecided and answers that are
-/// ones.
+/// What is known of a pixel, answer by answer; decisions only where the id is undecided and the answer is
+/// one.
 struct PixelCheck {
     AnswerCheck candidate, reference;
     QueryResult candidate_decision{}, reference_decision{};
@@ -37,8 +37,7 @@ struct PixelCheck {
 };
 
 /// Does what is left to do at pixels that the first tier did not decide: tell(i, check) for each of them
-/// once, on all threads. Depths that the first tier
-/// found admissible are not looked at.
+/// once, on all threads. Depths that the first tier found admissible are not looked at.
 void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixels,
                   const std::function<void(std::size_t, const PixelCheck&)>& tell);
 

@@ -304,8 +304,8 @@ bool AdmissibleSet<Number>::continues(LinePointer edge, const std::vector<size_t
     return std::ranges::any_of(occluders, [&](size_t o) { return !are_on_one_side(edge, o).value_or(true); });
 }
 
-/// Does an edge of the occluder pass the square that no other of them continues, and that does not move with
-/// what is seen? The occluder may part from its surroundings there.
+/// Does near or far cut the occluder in the square, or does an edge of it pass there that no other of them
+/// continues, and that does not move with what is seen? It may part from its surroundings there.
 template <class Number>
 bool AdmissibleSet<Number>::may_part(size_t occluder, std::optional<size_t> seen,
                                      const std::vector<size_t>& occluders) {

@@ -59,7 +59,8 @@ class AdmissibleSet {
     bool holds_background(EdgeRule edges);
     /// Does the triangle, between near and far, meet the square at all?
     bool reaches(size_t index) { return !seen_pieces(index).empty(); }
-    /// Or do its edge functions, rounded one by one as declared, all say that it holds the centre?
+    /// Does it reach the square, or do its edge functions, rounded one by one, all say that it holds the
+    /// centre?
     bool is_shown(size_t index) {
         return reaches(index) || (half_side_px_ == around_.eps_px && is_inside_by_rounding(index));
     }
