@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compare/admissible/displacement.h"
+#include "compare/admissible/true_visibility.h"
 
 namespace zproof {
 
@@ -23,6 +24,11 @@ constexpr std::size_t looks_per_cut = 16, neighbours_per_cut = 4;
 double distance_px_from(const Box& box, const PixelCoord& pixel) {
     const double px = pixel.x + 0.5, py = pixel.y + 0.5;
     return std::max({box.left - px, px - box.right, box.top - py, py - box.bottom, 0.0});
+}
+
+PixelCoord middle_of_tile(const PixelQuery& query) {
+    constexpr int side = Tiles::side_px;
+    return {query.x / side * side + side / 2, query.y / side * side + side / 2};
 }
 
 /// False, and nothing is left, where there is not so much.
@@ -135,7 +141,7 @@ void TileWork::decide_around(const PixelQuery& query, QueryResult& adjudicated) 
     const std::size_t most_work = around_.most_work,
                       at_least = around_.neighbours.size() / neighbours_per_cut;
     around_.most_work = std::min(most_work, work_left_);
-    adjudicated = {zproof::decide(around_, query.answer, coplanar_, query.reason), std::nullopt};
+    adjudicated = {zproof::decide(around_, query.answer, coplanar_), std::nullopt};
     take(adjudicated.decision.work + at_least, work_left_);
     if (setting_.asked != QueryDetail::displacement || query.reason == AskedReason::any) return;
     if (adjudicated.decision.admissibility != Admissibility::visible) return;
@@ -146,9 +152,61 @@ void TileWork::decide_around(const PixelQuery& query, QueryResult& adjudicated) 
     take(found.work, displacement_work_left_);
 }
 
+/// Is the answer what is truly at the pixel's centre, for certain? Most share that with their block, or tile,
+/// which holds no other answer then.
+bool TileWork::is_there_truly(const PixelQuery& query) {
+    const int x = query.x % Tiles::side_px, y = query.y % Tiles::side_px;
+    const std::size_t block = 1 + std::size_t(y / block_px * blocks_in_a_row + x / block_px);
+    for (const auto& [place, side_px] : {std::pair{std::size_t{0}, Tiles::side_px}, {block, block_px}}) {
+        std::optional<Filling>& filling = fillings_[place];
+        if (!filling) filling = {query.answer, is_true_all_over(query, side_px)};
+        if (filling->is_true && filling->answer == query.answer) return true;
+    }
+    return is_true_all_over(query, 1);
+}
+
+/// Is it so wherever a centre lies in the square of that side, of those the image is cut into, that holds the
+/// pixel? What is not near the tile's queries does not matter to them.
+bool TileWork::is_true_all_over(const PixelQuery& query, int side_px) {
+    const int half = side_px / 2;
+    const PixelCoord middle{query.x / side_px * side_px + half, query.y / side_px * side_px + half},
+        seen_from = middle_of_tile(query);
+    Camera camera = setting_.view.camera;
+    camera.near_depth = query.bounds->near_depth();
+    const std::optional<std::size_t> answer = triangles_.place_of(query.answer);
+    if (!answer && query.answer != PrimitiveId::none) return false;
+    const TrueVisibility visibility(
+        camera, {{double(middle.x - seen_from.x), double(middle.y - seen_from.y)}, double(half)},
+        answer ? &seen_in_tile(*answer, query) : nullptr);
+    if (!visibility.is_answer_there()) return false;
+    for (std::size_t place = 0; place < triangles_.count(); ++place)
+        if (place != answer && distance_px_from(triangles_.widest_box(place), middle) <= half &&
+            !visibility.is_seen_past(seen_in_tile(place, query)))
+            return false;
+    return true;
+}
+
+/// A triangle as seen from the tile's middle.
+const Neighbour& TileWork::seen_in_tile(std::size_t place, const PixelQuery& query) {
+    if (seen_in_tile_.empty()) seen_in_tile_.resize(triangles_.count());
+    std::unique_ptr<Neighbour>& seen = seen_in_tile_[place];
+    if (!seen) {
+        const PixelCoord middle = middle_of_tile(query);
+        const BoundedTriangle& triangle = triangles_.of(place, *query.bounds);
+        seen = std::make_unique<Neighbour>(
+            seen_at(ViewRay<double>(setting_.view, middle.x, middle.y), triangle));
+        seen->may_be_missing = triangle.bounds.may_be_missing;
+    }
+    return *seen;
+}
+
 double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult& adjudicated) {
-    if (!take(1 + triangles_.count() / looks_per_cut, work_left_) ||
-        count_within(query, searched_px) > most_neighbours) {
+    const bool is_work_left = take(1 + triangles_.count() / looks_per_cut, work_left_);
+    if (is_work_left && query.reason == AskedReason::any && !setting_.override && is_there_truly(query)) {
+        adjudicated = {};
+        return 0;
+    }
+    if (!is_work_left || count_within(query, searched_px) > most_neighbours) {
         adjudicated = {{Admissibility::undecidable, false, searched_px / first_reach}, std::nullopt};
         return 0;
     }

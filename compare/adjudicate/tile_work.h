@@ -1,12 +1,16 @@
 /// Queries about the pixels of one tile, decided one after the other among the triangles that come near it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "compare/adjudicate/pixel_query.h"
+#include "compare/adjudicate/tiles.h"
 #include "compare/adjudicate/triangle_cache.h"
 #include "compare/bounds/view_ray.h"
 
@@ -42,6 +46,16 @@ class TileWork {
         double distance_px;  ///< of its image's box from the centre
         Neighbour neighbour;
     };
+    /// The answer that was first asked about a square of the image, and whether it is truly there all over it.
+    struct Filling {
+        PrimitiveId answer;
+        bool is_true;
+    };
+    static constexpr int block_px = 4, blocks_in_a_row = Tiles::side_px / block_px;
+
+    bool is_there_truly(const PixelQuery& query);
+    bool is_true_all_over(const PixelQuery& query, int side_px);
+    const Neighbour& seen_in_tile(std::size_t place, const PixelQuery& query);
     void look_at(const PixelQuery& query, double reach_px);
     double own_eps_px(const PixelQuery& query) const;
     double eps_px_within(double reach_px, double own_eps_px) const;
@@ -58,6 +72,8 @@ class TileWork {
     double seen_px_ = 0;  ///< so far
     std::vector<NearTriangle> seen_;
     Neighbourhood around_;  ///< of the query at hand
+    std::array<std::optional<Filling>, 1 + blocks_in_a_row * blocks_in_a_row> fillings_;  ///< tile, blocks
+    std::vector<std::unique_ptr<Neighbour>> seen_in_tile_;  ///< by place; of queries for any reason
     std::size_t work_left_, displacement_work_left_;
 };
 

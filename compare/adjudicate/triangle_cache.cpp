@@ -11,6 +11,12 @@ TriangleCache::TriangleCache(const Scene& scene, const View& view, const Triangl
     for (const std::uint32_t triangle : near) boxes_.push_back(search.boxes_of(triangle));
 }
 
+std::optional<std::size_t> TriangleCache::place_of(PrimitiveId answer) const {
+    const auto found = std::ranges::lower_bound(near_, answer, {}, [](std::uint32_t t) { return PrimitiveId(t); });
+    if (found == near_.end() || PrimitiveId(*found) != answer) return std::nullopt;
+    return std::size_t(found - near_.begin());
+}
+
 const Box& TriangleCache::box(std::size_t place, const ViewBounds& bounds) {
     const ImageBoxes& boxes = boxes_[place];
     return boxes.are_one() ? boxes.all : boxes.by(of(place, bounds).bounds, camera_);

@@ -18,6 +18,8 @@ class TriangleCache {
 
     std::size_t count() const { return near_.size(); }
     std::uint32_t triangle(std::size_t place) const { return near_[place]; }
+    /// Nothing for what is not near the tile.
+    std::optional<std::size_t> place_of(PrimitiveId answer) const;
     /// The box around the triangle's image, by the bounds of every renderer.
     const Box& widest_box(std::size_t place) const { return boxes_[place].all; }
     /// The same by those of one.

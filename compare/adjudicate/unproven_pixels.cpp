@@ -1,9 +1,9 @@
 #include "compare/adjudicate/unproven_pixels.h"
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "compare/adjudicate/image_box.h"
@@ -26,11 +26,12 @@ bool may_be_cut(const Camera& camera, const TriangleBounds& bounds) {
            bounds.farthest >= camera.far_depth - bounds.far_slack;
 }
 
-/// Lists the pixels at which a triangle's edges, and its cuts by near and far, pass nearer than the reference
+/// Marks the pixels at which a triangle's edges, and its cuts by near and far, pass nearer than the reference
 /// may be off, where the candidate may be off by less. Its functionals are those of pixel indices.
 class CoarseOutline {
   public:
-    CoarseOutline(const FramePair& frames, const BoxProjection& project, std::uint32_t triangle)
+    /// `box` is around the triangle's image. If no pixel shows it, only those matter that it truly holds.
+    CoarseOutline(const FramePair& frames, std::uint32_t triangle, const Box& box, bool is_shown)
         : view_(frames.view),
           p_world_(corners_of(frames.scene, triangle)),
           in_view_(view_, frames.reference.bounds, p_world_),
@@ -38,14 +39,13 @@ class CoarseOutline {
           candidate_(frames.candidate.bounds.of(in_view_.extent)),
           first_(
               seen_at(ViewRay<double>(view_, 0, 0), {frames.reference.bounds, p_world_, in_view_.extent})) {
-        box_ = project(p_world_).value_or(Box{});
-        if (box_.is_empty()) return;
-        box_.widen(most_eps_px(reference_) + 1);
-        box_ = {std::max(box_.left, 0.0), std::max(box_.top, 0.0), std::min(box_.right, view_.width - 1.0),
-                std::min(box_.bottom, view_.height - 1.0)};
+        box_ = box;
+        if (is_shown) box_.widen(most_eps_px(reference_) + 1);
+        box_ = {std::max(box_.left - 0.5, 0.0), std::max(box_.top - 0.5, 0.0),
+                std::min(box_.right - 0.5, view_.width - 1.0), std::min(box_.bottom - 0.5, view_.height - 1.0)};
     }
 
-    void list(std::vector<PixelCoord>& pixels) {
+    void mark(Plane<std::uint8_t>& pixels) {
         if (box_.is_empty()) return;
         const Span here = inverse_depths();
         const BoundsOnPlane reference(reference_, in_view_.gradient),
@@ -55,12 +55,12 @@ class CoarseOutline {
         };
         const bool is_finer = is_finer_at(here.low) && is_finer_at(here.high);
         eps_px_ = reference.at(here.high).eps_px;
-        if (reference_.may_be_missing && !candidate_.may_be_missing) list_band({0, 0, 0}, 0, pixels);
+        if (reference_.may_be_missing && !candidate_.may_be_missing) mark_band({0, 0, 0}, 0, pixels);
         for (const Affine<double>& edge : first_.edges)
-            if (!is_finer) list_band(edge, reach_of(edge), pixels);
+            if (!is_finer) mark_band(edge, reach_of(edge), pixels);
         const Camera& c = view_.camera;
-        if (reference_.near_slack > candidate_.near_slack) list_cut(c.near_depth, here, pixels);
-        if (reference_.far_slack > candidate_.far_slack) list_cut(c.far_depth, here, pixels);
+        if (reference_.near_slack > candidate_.near_slack) mark_cut(c.near_depth, here, pixels);
+        if (reference_.far_slack > candidate_.far_slack) mark_cut(c.far_depth, here, pixels);
     }
 
   private:
@@ -99,7 +99,7 @@ class CoarseOutline {
     }
 
     /// Pixels of the box at which |f| <= margin.
-    void list_band(const Affine<double>& f, double margin, std::vector<PixelCoord>& pixels) const {
+    void mark_band(const Affine<double>& f, double margin, Plane<std::uint8_t>& pixels) const {
         for (int y = int(std::ceil(box_.top)); y <= box_.bottom; ++y) {
             const double here = f.b * y + f.c, middle = -here / f.a, reach = margin / std::abs(f.a);
             if (f.a == 0 && !(std::abs(here) <= margin)) continue;
@@ -108,12 +108,13 @@ class CoarseOutline {
             const double left = is_bounded ? std::max(middle - reach, row.low) : row.low,
                          right = is_bounded ? std::min(middle + reach, row.high) : row.high;
             if (!(left <= right)) continue;
-            for (int x = int(std::ceil(left)); x <= right; ++x) pixels.push_back({x, y});
+            for (int x = int(std::ceil(left)); x <= right; ++x)
+                std::atomic_ref(pixels.at(x, y)).store(1, std::memory_order_relaxed);
         }
     }
 
     /// Pixels at which the reference may cut it by near or far where it is not cut, or the other way round.
-    void list_cut(double depth, const Span& here, std::vector<PixelCoord>& pixels) const {
+    void mark_cut(double depth, const Span& here, Plane<std::uint8_t>& pixels) const {
         if (!std::isfinite(depth) || in_view_.is_edge_on) return;
         const bool perspective = view_.camera.projection == Projection::perspective;
         const LocalBounds local = BoundsOnPlane(reference_, in_view_.gradient).at(here.high);
@@ -123,7 +124,7 @@ class CoarseOutline {
                         : local.depth_relative * largest + local.depth_absolute;
         Affine<double> f = in_view_.inverse_depth;
         f.c = f.c - (perspective ? 1 / depth : -depth);
-        list_band(f, of_depth + local.inverse_depth_error + in_view_.gradient * eps_px_ + in_view_.own_error,
+        mark_band(f, of_depth + local.inverse_depth_error + in_view_.gradient * eps_px_ + in_view_.own_error,
                   pixels);
     }
 
@@ -136,23 +137,38 @@ class CoarseOutline {
     double eps_px_ = 0;  ///< the reference's, at its largest in the box
 };
 
+/// 1 for each triangle that the frame shows somewhere.
+std::vector<std::uint8_t> shown_by(const Frame& frame, std::size_t triangle_count) {
+    std::vector<std::uint8_t> is_shown(triangle_count);
+    for (const PrimitiveId id : frame.primitive.pixels())
+        if (std::size_t(id) < triangle_count) is_shown[std::size_t(id)] = 1;
+    return is_shown;
+}
+
+/// Does the box of raster space hold a pixel's centre?
+bool holds_a_centre(const Box& box) {
+    return std::floor(box.right - 0.5) >= box.left - 0.5 && std::floor(box.bottom - 0.5) >= box.top - 0.5;
+}
+
 }  // namespace
 
 Plane<std::uint8_t> find_unproven_pixels(const FramePair& frames) {
     const BoxProjection project(frames.view);
     const double fine_px = frames.candidate.bounds.least_eps_px();
-    tbb::enumerable_thread_specific<std::vector<PixelCoord>> found;
-    tbb::parallel_for(std::size_t(0), frames.scene.triangles.size(), [&](std::size_t i) {
-        const TriangleBounds bounds = frames.reference.bounds.of(corners_of(frames.scene, std::uint32_t(i)));
-        if (!(most_eps_px(bounds) <= fine_px) || bounds.may_be_missing ||
-            may_be_cut(frames.view.camera, bounds))
-            CoarseOutline(frames, project, std::uint32_t(i)).list(found.local());
-    });
     const bool may_have_gaps =
         frames.candidate.bounds.is_watertight() && !frames.reference.bounds.is_watertight();
     Plane<std::uint8_t> is_unproven(Resolution{frames.view.width, frames.view.height}, may_have_gaps);
-    for (const auto& part : found)
-        for (const PixelCoord& pixel : part) is_unproven.at(pixel.x, pixel.y) = 1;
+    const std::size_t count = frames.scene.triangles.size();
+    const std::vector<std::uint8_t> is_shown = shown_by(frames.reference.frame, count);
+    tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
+        const CornersWorld p_world = corners_of(frames.scene, std::uint32_t(i));
+        const Box box = project(p_world).value_or(Box{});
+        if (box.is_empty() || !(is_shown[i] || holds_a_centre(box))) return;
+        const TriangleBounds bounds = frames.reference.bounds.of(p_world);
+        if (!(most_eps_px(bounds) <= fine_px) || bounds.may_be_missing ||
+            may_be_cut(frames.view.camera, bounds))
+            CoarseOutline(frames, std::uint32_t(i), box, is_shown[i] != 0).mark(is_unproven);
+    });
     return is_unproven;
 }
 

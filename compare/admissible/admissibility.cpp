@@ -63,13 +63,9 @@ Decision decide_by_region(const Neighbourhood& around, PrimitiveId answer, Copla
 
 }  // namespace
 
-Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar,
-                AskedReason reason) {
+Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar) {
     const double eps_px = around.eps_px;
-    const ConservativeTest test(around, answer, coplanar);
-    if (reason == AskedReason::any && test.is_seen_at_centre())
-        return {Admissibility::visible, false, eps_px};
-    switch (test.finding()) {
+    switch (ConservativeTest(around, answer, coplanar).finding()) {
         case ConservativeTest::Finding::visible:
             return {Admissibility::visible, false, eps_px};
         case ConservativeTest::Finding::tied:

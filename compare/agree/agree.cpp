@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
@@ -105,7 +106,7 @@ class BlockScan {
         for (const auto& [first, end, place] : of.runs)
             if (place)
                 find_depth_errors(table_[*place].*of.depth, row.left + int(first), row.y, end - first,
-                                  &depths_[first], &errors_found_[first]);
+                                  &depths_[first], &errors_found_[first], &rooms_[first]);
             else
                 for (std::size_t i = first; i < end; ++i)
                     errors_found_[i] =
@@ -127,8 +128,8 @@ class BlockScan {
         if (!errors_ && is_bare(row, runs)) return;
         const FrameRow candidate{frames_.candidate.frame, runs.candidate(), &BoundTable::Depths::candidate},
             reference{frames_.reference.frame, runs.reference(), &BoundTable::Depths::reference};
-        look_at(row, candidate, row_.candidate, row_.candidate_error);
         look_at(row, reference, row_.reference, row_.reference_error);
+        look_at(row, candidate, row_.candidate, row_.candidate_error);
         const bool is_any_unproven = find_unproven(row, runs.reference());
         if (counts_.add(row_) || is_any_unproven) list_undecided(row, undecided);
         if (!errors_) return;
@@ -139,7 +140,7 @@ class BlockScan {
     void list_undecided(const PixelRow& row, std::vector<UndecidedPixel>& undecided) const {
         for (std::size_t i = 0; i < row.count(); ++i) {
             const bool are_decided = row_.candidate_error[i] >= 0 && row_.reference_error[i] >= 0;
-            const bool is_id_undecided = row_.candidate[i] != row_.reference[i] || is_unproven_[i];
+            const bool is_id_undecided = row_.candidate[i] != row_.reference[i] || is_unproven_[i] != 0;
             if (!are_decided || is_id_undecided)
                 undecided.push_back({{row.left + int(i), row.y}, are_decided, is_id_undecided});
         }
@@ -147,20 +148,23 @@ class BlockScan {
 
     /// Lists the pixels of a row that show the same in both, where the reference does not prove it: it may
     /// displace a triangle farther there than the candidate may, or its depth is none that the candidate may
-    /// give. Is there any? The reference must have been looked at last.
+    /// give. Is there any? The candidate must have been looked at last.
     bool find_unproven(const PixelRow& row, const std::vector<Run>& runs) {
-        bool is_any = false;
+        const auto ours = row.of(frames_.candidate.frame.camera_depth),
+                   theirs = row.of(frames_.reference.frame.camera_depth);
+        std::ranges::copy(row.of(unproven_), is_unproven_.begin());
         for (const auto& [first, end, place] : runs) {
-            if (place)
-                find_depth_errors(table_[*place].candidate, row.left + int(first), row.y, end - first,
-                                  &depths_[first], &errors_found_[first]);
-            for (std::size_t i = first; i < end; ++i) {
-                const bool is_another_depth = place && row_.candidate_error[i] >= 0 && errors_found_[i] < 0;
-                is_unproven_[i] = is_another_depth || unproven_.at(row.left + int(i), row.y) != 0;
-                is_any |= is_unproven_[i];
-            }
+            bool is_near = true;
+            for (std::size_t i = first; i < end; ++i)
+                is_near &= std::abs(double(ours[i]) - double(theirs[i])) <= rooms_[i];
+            if (!place || is_near) continue;
+            std::ranges::copy(theirs.subspan(first, end - first), &depths_[first]);
+            find_depth_errors(table_[*place].candidate, row.left + int(first), row.y, end - first,
+                              &depths_[first], &errors_found_[first], rooms_there_.data());
+            for (std::size_t i = first; i < end; ++i)
+                is_unproven_[i] |= std::uint8_t(row_.candidate_error[i] >= 0 && errors_found_[i] < 0);
         }
-        return is_any;
+        return std::ranges::count(std::span(is_unproven_).first(row.count()), 1) > 0;
     }
 
     /// What is undecided has an error as well.
@@ -186,10 +190,10 @@ class BlockScan {
     ErrorMaps* errors_;
     std::array<RowRuns, block_height> runs_;  ///< of the block at hand
     ComparedRow row_;
-    RowOf<bool> is_unproven_{};
+    RowOf<std::uint8_t> is_unproven_{};
     /// The depths of one frame's row; runs are read and written beyond their ends, from left to right.
     std::array<float, row_pixels + errors_together> depths_{};
-    std::array<double, row_pixels + errors_together> errors_found_{};
+    std::array<double, row_pixels + errors_together> errors_found_{}, rooms_{}, rooms_there_{};
     RowCounts counts_;
 };
 

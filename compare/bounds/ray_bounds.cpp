@@ -105,9 +105,10 @@ TriangleBounds RayBounds::of(const ViewFacts& facts, const TriangleExtent& exten
     bounds.eps_per_inverse_depth = facts.perspective ? corners : 0;
     if (facts.perspective && precision_.test == RayTest::pluecker) {
         // a corner far away moves an edge that passes the eye closely by little: the lesser of two bounds
-        const double nearest = std::max(std::ranges::min(extent.size.depth), facts.view.camera.near_depth),
-                     of_edges = pluecker_corners_px(facts, extent, unit_);
-        if (precision_.barycentric_tolerance == 0 && of_edges * nearest < corners) {
+        const double nearest = std::max(std::ranges::min(extent.size.depth), facts.view.camera.near_depth);
+        const bool is_large = precision_.barycentric_tolerance == 0 && corners > edges * nearest;
+        const double of_edges = is_large ? pluecker_corners_px(facts, extent, unit_) : unlimited;
+        if (of_edges * nearest < corners) {
             bounds.eps_base_px += of_edges;
             bounds.eps_per_inverse_depth = 0;
         }

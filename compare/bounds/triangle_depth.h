@@ -47,19 +47,26 @@ class TriangleDepth {
     /// Is the relative error of depth the same all over the triangle?
     enum class Relative { constant, by_inverse_depth };
     Relative relative() const { return plane_offset_ > 0 ? Relative::by_inverse_depth : Relative::constant; }
-    /// The triangle must have a plane. Computes without branches: error / bound, or -1 where double does not
-    /// hold the depth admissible for certain.
+    struct CertainError {
+        double over_bound;  ///< error / bound; -1 where double does not hold the depth admissible for certain
+        double room;        ///< depths that differ from this one by no more are certainly admissible, too
+    };
+    /// The triangle must have a plane. Computes without branches.
     template <Projection projection, Relative relative>
-    double certain_error_over_bound(double x, double y, float depth) const {
+    CertainError certain_error(double x, double y, float depth) const {
         const UnroundedDepth range = on_plane<projection, relative>(x, y);
         const DepthBound bound{widened_low(range), range.truth, widened_high(range)};
         const bool is_certain = is_bounded(range.relative + absolute_ + inverse_depth_error_) &
                                 (range.relative >= 0) & (range.truth < unlimited) &
                                 holds<projection>(bound, depth, own_error_);
-        const double error = std::abs(depth - bound.truth);
-        const double share =
-            error / (depth < bound.truth ? bound.truth - bound.low : bound.high - bound.truth);
-        return is_certain ? (error > 0 ? share : 0) : -1;
+        const double error = std::abs(depth - bound.truth), below = bound.truth - bound.low,
+                     above = bound.high - bound.truth;
+        const double share = error / (depth < bound.truth ? below : above);
+        const double most = bound.high < unlimited ? bound.high : 0;
+        const double width = (below < above ? below : above) - 2 * unsure_of<projection>(most, own_error_),
+                     room = width - error;  // nor is a depth below 0 ever certain
+        return {is_certain ? (error > 0 ? share : 0) : -1,
+                is_certain ? (room < depth ? room : double(depth)) : -1};
     }
 
   private:
@@ -111,17 +118,18 @@ class TriangleDepth {
                 relative_at<relative>(here)};
     }
     UnroundedDepth range_at(double x, double y) const;
+    /// What a limit near the depth h >= 0 may be off by, with our own rounding. An error g of inverse depth is
+    /// one of g h / (1 - g h) in the depth h: at most 2 g h^2, or the depth is not held.
+    template <Projection projection>
+    static double unsure_of(double h, double own_error) {
+        constexpr double rounding = 8 * unit_roundoff_float64;
+        return (projection == Projection::perspective ? 2 * own_error * h * h : own_error) + rounding * h;
+    }
     template <Projection projection>
     static bool holds(const DepthBound& bound, float depth, double own_error) {
-        constexpr double rounding = 8 * unit_roundoff_float64;
-        // an error g of inverse depth is one of g h / (1 - g h) in the depth h: at most 2 g h^2, or the depth
-        // is not held
-        const auto of_plane = [&](double h) {
-            return projection == Projection::perspective ? 2 * own_error * h * h : own_error;
-        };
         const double z = depth;
-        return (z >= 0) & (bound.low + of_plane(z) + rounding * z <= z) &
-               (z <= bound.high - of_plane(bound.high) - rounding * z);
+        return (z >= 0) & (bound.low + unsure_of<projection>(z, own_error) <= z) &
+               (z <= bound.high - unsure_of<projection>(bound.high, own_error));
     }
 
     Affine<double> inverse_depth_{0, 0, 0};

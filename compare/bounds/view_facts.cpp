@@ -49,6 +49,8 @@ ViewFacts::ViewFacts(const View& of_view)
     origin_abs = perspective
                      ? glm::dvec3(0)
                      : largest_u * glm::abs(c.right) + largest_v * glm::abs(c.up) + start * direction_abs;
+    right_per_px = 1 / scale.px_per_u * c.right;
+    up_per_px = 1 / scale.px_per_v * c.up;
     gauge = gauge_of(c, direction_abs, origin_abs);
 }
 
@@ -60,10 +62,8 @@ TriangleExtent ViewFacts::extent_of(const CornersWorld& p_world) const {
 }
 
 double ViewFacts::distance_px(double error, const glm::dvec3& moment) const {
-    const Camera& c = view.camera;
-    const double along_x = std::abs(glm::dot(moment, 1 / scale.px_per_u * c.right)),
-                 along_y = std::abs(glm::dot(moment, 1 / scale.px_per_v * c.up));
-    return along_x + along_y > 0 ? error / (along_x + along_y) : 0;  // without extent it bounds no area
+    const double along = std::abs(glm::dot(moment, right_per_px)) + std::abs(glm::dot(moment, up_per_px));
+    return along > 0 ? error / along : 0;  // without extent it bounds no area
 }
 
 glm::dvec2 ViewFacts::before_divide(const TriangleExtent& extent, std::size_t corner) const {

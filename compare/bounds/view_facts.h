@@ -29,6 +29,7 @@ struct ViewFacts {
     bool perspective;
     ImageScale scale;
     double largest_u, largest_v;  ///< of |window|
+    glm::dvec3 right_per_px, up_per_px;  ///< of a point at depth 1
     glm::dvec3 direction_abs;     ///< per world axis, the largest |direction| in the image
     double start;                 ///< parallel: how far behind the eye rays start, on the near plane; else 0
     glm::dvec3 origin_abs;        ///< per world axis, the largest |origin - eye|

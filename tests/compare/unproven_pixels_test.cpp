@@ -34,7 +34,18 @@ bool is_near_an_edge(const TriangleImage<double>& image, double eps_px) {
     return comes_within(image, eps_px) && !comes_within(image, -eps_px);
 }
 
-/// Does the reference displace an edge over a pixel that is not listed farther than the candidate may?
+/// Some of the triangles are shown, each at pixels of its own and wherever that may be.
+void show_some(TestScene& t, Rng& rng) {
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const auto i = std::uint32_t(rng.below(2 * int(t.scene.triangles.size())));
+            if (i % 2 == 0 && i < t.scene.triangles.size()) t.reference.primitive.at(x, y) = PrimitiveId(i);
+        }
+    t.candidate = t.reference;
+}
+
+/// Does the reference displace an edge over a pixel that is not listed farther than the candidate may, of what
+/// it shows there, or of what is truly there?
 void expect_finer_at_other_pixels(const FramePair& pair, int& fine, int& listed) {
     const Plane<std::uint8_t> unproven = find_unproven_pixels(pair);
     const ViewRays<double> rays(pair.view);
@@ -46,6 +57,8 @@ void expect_finer_at_other_pixels(const FramePair& pair, int& fine, int& listed)
                 const Neighbour by_reference = neighbour_of(rays.at(x, y), pair.reference.bounds, p_world),
                                 by_candidate = neighbour_of(rays.at(x, y), pair.candidate.bounds, p_world);
                 const double eps_px = by_reference.bounds.eps_px;
+                const bool is_shown = pair.reference.frame.primitive.at(x, y) == PrimitiveId(i);
+                if (!is_shown && !(by_reference.image && comes_within(*by_reference.image, 0))) continue;
                 const auto box = BoxProjection(pair.view)(p_world);
                 if (!box || !box->meets(square_around(x, y, eps_px))) continue;  // beyond a tip
                 if (!by_reference.image || !is_near_an_edge(*by_reference.image, eps_px)) continue;
@@ -75,10 +88,11 @@ TEST(UnprovenPixels, AreThoseBesideEdgesThatTheReferenceDisplacesFarther) {
         t.reference_precision = RasterPrecision{.subpixel_bits = 2 + rng.below(5)};
         if (rng.below(4) == 0)
             t.candidate_precision = BoundedPrecision{.eps_px = std::ldexp(1.0, -8 - rng.below(8))};
+        show_some(t, rng);
         expect_finer_at_other_pixels(pair_of(t), fine, listed);
         if (HasFatalFailure()) return;
     }
-    EXPECT_GT(fine, 1'000);
+    EXPECT_GT(fine, 500);
     EXPECT_GT(listed, 10'000);
 }
 
