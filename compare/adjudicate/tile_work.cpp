@@ -116,7 +116,7 @@ void TileWork::add_answer(const PixelQuery& query) {
     Neighbour n =
         neighbour_of(setting_.rays.at(query.x, query.y), *query.bounds, corners_of(setting_.scene, triangle));
     n.triangle = triangle;
-    if (std::ranges::max(n.edge_rounding_px) > 0)
+    if (n.may_be_shown_by_rounding())
         around_.neighbours.insert(
             std::ranges::lower_bound(around_.neighbours, triangle, {}, &Neighbour::triangle), n);
 }

@@ -40,6 +40,17 @@ bool may_be_clipped(const Camera& camera, const Neighbour& n) {
     return n.nearest <= camera.near_depth + n.near_slack || n.farthest >= camera.far_depth - n.far_slack;
 }
 
+/// How far beyond its edges a triangle counts as inside at the centre, by its weights' tolerance.
+double tolerated_px(const Neighbour& n) {
+    double largest = 0;
+    if (n.weight_tolerance > 0)
+        for (const Affine<double>& f : n.edges)
+            largest = std::max(largest, n.weight_tolerance *
+                                            std::abs(n.edges[0].c + n.edges[1].c + n.edges[2].c) /
+                                            (std::abs(f.a) + std::abs(f.b)));
+    return largest;
+}
+
 }  // namespace
 
 template <class Number>
@@ -72,21 +83,25 @@ auto AdmissibleSet<Number>::sides_of_square(double half_side_px) -> std::array<L
             new_line({one, zero, h})};
 }
 
-/// Displacement counts by what is left of eps; its edges are moved outwards by their own errors. Where their
-/// errors exceed its width, the computed orientation may be the other one.
+/// Displacement counts by what is left of eps; its edges are moved outwards by their own errors, and to where
+/// their weight is minus the tolerance. Where their errors exceed its width, the computed orientation may be
+/// the other one.
 template <class Number>
 bool AdmissibleSet<Number>::is_inside_by_rounding(size_t index) {
     const Neighbour& n = around_.neighbours[index];
-    const double most_px = std::ranges::max(n.edge_rounding_px),
-                 moved_px = std::max(0.0, std::min(n.bounds.eps_px, around_.eps_px) - most_px);
-    if (most_px == 0 || !std::isfinite(most_px + moved_px)) return false;
+    if (!n.may_be_shown_by_rounding()) return false;
+    const double outwards_px = std::ranges::max(n.edge_rounding_px) + tolerated_px(n),
+                 moved_px = std::max(0.0, std::min(n.bounds.eps_px, around_.eps_px) - outwards_px);
+    if (!std::isfinite(outwards_px + moved_px)) return false;
     const auto edges = edges_of(ray_, corners<Number>(n.p_world));
+    const Affine<Number> sum = edges[0] + edges[1] + edges[2];
     for (const bool is_turned : {false, true}) {
         std::optional<Region<Number>> region =
             Region<Number>::square(sides_of_square(moved_px), Number(moved_px));
         for (size_t i = 0; i < 3; ++i) {
-            Affine<Number> f = is_turned ? -edges[i] : edges[i];
-            f.c = f.c + Number(n.edge_rounding_px[i]) * (magnitude(f.a) + magnitude(f.b));
+            Affine<Number> f = edges[i] + Number(n.weight_tolerance) * sum;
+            if (is_turned) f = -f;
+            f.c = f.c + Number(n.edge_rounding_px[i]) * (magnitude(edges[i].a) + magnitude(edges[i].b));
             if (region) region = region->inside(*new_line(f));
         }
         if (region) return true;

@@ -100,6 +100,7 @@ void set_bounds(Neighbour& n, const BoundedTriangle& triangle, Projection projec
     n.nearest = of_triangle.nearest;
     n.farthest = of_triangle.farthest;
     n.edge_rounding_px = of_triangle.edge_rounding_px;
+    n.weight_tolerance = of_triangle.weight_tolerance;
     const InverseDepthRange range = inverse_depth_range(triangle, plane, n.bounds, projection);
     n.least_inverse_depth = range.least;
     n.greatest_inverse_depth = range.greatest;

@@ -58,11 +58,15 @@ ClipPolygon inside_window(const Camera& c, ClipPolygon polygon, const Window& w)
     return clipped(polygon, [&](const ClipPoint& p) { return w.top * scale(p) - p.y; });
 }
 
-ClipPolygon after_clipping(const View& view, ClipPolygon polygon, Clipping clipping) {
+/// A triangle that lies wholly beyond near or far is left as it is: rounding may show it, if it is close.
+ClipPolygon after_clipping(const View& view, const ClipPolygon& triangle, Clipping clipping) {
     const Camera& c = view.camera;
-    polygon = clipped(polygon, [&](const ClipPoint& p) { return p.depth - c.near_depth; });
+    ClipPolygon polygon = clipped(triangle, [&](const ClipPoint& p) { return p.depth - c.near_depth; });
     if (std::isfinite(c.far_depth))
         polygon = clipped(polygon, [&](const ClipPoint& p) { return c.far_depth - p.depth; });
+    const bool is_before_eye = c.projection == Projection::parallel ||
+                               std::ranges::all_of(triangle, [](const ClipPoint& p) { return p.depth > 0; });
+    if (polygon.empty() && is_before_eye) polygon = triangle;
     return inside_window(c, polygon, clipping == Clipping::guard_band ? guard_band_of(view) : c.window);
 }
 

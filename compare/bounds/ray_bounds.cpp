@@ -12,22 +12,18 @@ namespace {
 /// (difference x sum) . direction of an edge's ends, as Embree's robust test has it, off by 7 roundings, px.
 double pluecker_edge_px(const ViewFacts& facts, const TriangleExtent& extent, std::size_t edge, double unit) {
     const glm::dvec3 &from = extent.v_world[(edge + 1) % 3], &to = extent.v_world[(edge + 2) % 3];
-    const Camera& c = facts.view.camera;
     const glm::dvec3 difference = to - from, sum = to + from;
     const glm::dvec3 sum_abs = glm::abs(sum) + 2.0 * facts.origin_abs;
     const double error = gammas_of(unit)[7] * glm::dot(abs_cross(difference, sum_abs), facts.direction_abs);
-    const glm::dvec3 direction = c.shear.x * c.right + c.shear.y * c.up - c.back;
     const glm::dvec3 moment =
-        facts.perspective ? glm::cross(difference, sum) : 2.0 * glm::cross(direction, difference);
+        facts.perspective ? glm::cross(difference, sum) : 2.0 * glm::cross(facts.direction(), difference);
     return facts.distance_px(error, moment);
 }
 
 /// The functional of the edge from v_i to v_j, half of what pluecker_edge_px() looks at: d/d(ray).
 glm::dvec3 edge_moment(const ViewFacts& facts, const TriangleExtent& extent, std::size_t edge) {
     const glm::dvec3 &from = extent.v_world[(edge + 1) % 3], &to = extent.v_world[(edge + 2) % 3];
-    const Camera& c = facts.view.camera;
-    const glm::dvec3 direction = c.shear.x * c.right + c.shear.y * c.up - c.back;
-    return facts.perspective ? glm::cross(from, to) : glm::cross(direction, to - from);
+    return facts.perspective ? glm::cross(from, to) : glm::cross(facts.direction(), to - from);
 }
 
 /// What the rounded corners of Pluecker's test cost its edges, px: 2 u (|v_i| x |v_j|) . |d|, and the robust
@@ -60,6 +56,39 @@ std::array<double, 3> moeller_trumbore_px(const ViewFacts& facts, const Triangle
             px(2, gammas[7] * of_v2)};
 }
 
+/// What moving each corner by up to `error` along every axis may take from PlaneSize::volume: a determinant of
+/// the corners, or of both sides and the direction.
+double volume_moved_by(double error, const ViewFacts& facts, const TriangleExtent& extent) {
+    const auto& v = extent.v_world;
+    if (!facts.perspective) {
+        const glm::dvec3 e1 = v[1] - v[0], e2 = v[2] - v[0], d = facts.direction();
+        return 2 * error * (sum_abs(glm::cross(d, e1)) + sum_abs(glm::cross(d, e2))) +
+               8 * error * error * sum_abs(d);
+    }
+    double moved = 4 * error * error * error;
+    for (std::size_t i = 0; i < 3; ++i)
+        moved += error * sum_abs(glm::cross(v[(i + 1) % 3], v[(i + 2) % 3])) +
+                 2 * error * error * sum_abs(v[i]);
+    return moved;
+}
+
+/// Woop: what the three weights err by, as a share of their sum, times how much their corners' distances along
+/// the ray differ.
+double sheared_mean_error(const ViewFacts& facts, const TriangleExtent& extent, double unit) {
+    const auto& v = extent.v_world;
+    std::array<double, 3> size;
+    double weights = 0, range = 0;
+    for (std::size_t i = 0; i < 3; ++i) size[i] = sum_abs(glm::abs(v[i]) + facts.origin_abs);
+    for (std::size_t i = 0; i < 3; ++i) {
+        weights += 2 * size[i] * size[(i + 1) % 3];
+        const glm::dvec3 side = glm::abs(v[(i + 1) % 3] - v[i]);
+        range = std::max({range, side.x, side.y, side.z});
+    }
+    // the axis of the ray's largest coordinate, which is at least a third of its square
+    return gammas_of(unit)[10] * weights * sum_abs(facts.direction_abs) * std::sqrt(3.0) * range /
+           extent.size.plane.volume;
+}
+
 }  // namespace
 
 RayBounds::RayBounds(const ViewFacts& facts, const RayPrecision& precision)
@@ -85,7 +114,8 @@ double RayBounds::framing() const {
 }
 
 bool RayBounds::has_depth_of_distance() const {
-    return precision_.hit_point == HitPoint::distance && precision_.world_absolute == 0;
+    return precision_.hit_point == HitPoint::distance && precision_.world_absolute == 0 &&
+           precision_.test != RayTest::woop;
 }
 
 std::optional<DepthTerms> RayBounds::quick_depth_terms(const TriangleExtent& extent) const {
@@ -96,7 +126,15 @@ std::optional<DepthTerms> RayBounds::quick_depth_terms(const TriangleExtent& ext
 }
 
 TriangleBounds RayBounds::of(const ViewFacts& facts, const TriangleExtent& extent) const {
-    TriangleBounds bounds = bounds_of(terms_.of(extent.size));
+    TriangleSize size = extent.size;
+    if (precision_.world_absolute > 0)
+        size.plane.volume = std::max(
+            0.0, size.plane.volume - volume_moved_by(precision_.world_absolute, facts, extent));
+    TriangleBounds bounds = bounds_of(terms_.of(size));
+    if (precision_.test == RayTest::woop && precision_.hit_point == HitPoint::distance)
+        (facts.perspective ? bounds.depth_factor : bounds.depth_absolute) +=
+            (1 + 3 * precision_.barycentric_tolerance) * sheared_mean_error(facts, extent, unit_);
+    bounds.weight_tolerance = precision_.barycentric_tolerance;
     const double aim = aim_.at_depth_px(extent.largest_depth());
     const double corners = corners_px_times_depth(facts, extent) + tolerance_px_times_depth(facts, extent);
     bounds.edge_rounding_px = edges_px(facts, extent);
@@ -174,7 +212,9 @@ void RayBounds::add_hit_point(TriangleBounds& bounds, const TriangleExtent& exte
 
 void RayBounds::add_world_error(TriangleBounds& bounds, const ViewFacts& facts) const {
     const Camera& c = facts.view.camera;
-    const auto along = [&](const glm::dvec3& axis) { return precision_.world_absolute * sum_abs(axis); };
+    // three weights down to minus the tolerance add up to so much in absolute value
+    const double error = precision_.world_absolute * (1 + 6 * precision_.barycentric_tolerance);
+    const auto along = [&](const glm::dvec3& axis) { return error * sum_abs(axis); };
     const double lateral = facts.lateral_px({along(c.right), along(c.up), along(c.back)});
     (facts.perspective ? bounds.eps_per_inverse_depth : bounds.eps_base_px) += lateral;
     (facts.perspective ? bounds.depth_eps_per_inverse_depth : bounds.depth_eps_base_px) += lateral;

@@ -34,6 +34,7 @@ struct TriangleBounds {
     bool may_be_missing = false;           ///< the renderer need not draw it
     /// Of eps, what each edge function is off by where it is rounded by itself, px; 0 where nothing says so.
     std::array<double, 3> edge_rounding_px{};
+    double weight_tolerance = 0;  ///< rays: a weight down to minus this counts as inside
 
     /// The bounds at a place where inverse depth is `inverse_depth` and changes by `gradient` (|d/dx| +
     /// |d/dy|) per pixel.

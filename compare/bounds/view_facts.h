@@ -22,6 +22,11 @@ struct ViewFacts {
     }
     /// The error of a functional moment . direction as a distance in the image, px.
     double distance_px(double error, const glm::dvec3& moment) const;
+    /// Of all rays of a parallel projection, for one unit of depth.
+    glm::dvec3 direction() const {
+        const Camera& c = view.camera;
+        return c.shear.x * c.right + c.shear.y * c.up - c.back;
+    }
     /// A corner's place in the image plane, in units of the window: for perspective before the divide.
     glm::dvec2 before_divide(const TriangleExtent& extent, std::size_t corner) const;
 

@@ -144,6 +144,14 @@ class NearestHit {
     PrimitiveId id_ = PrimitiveId::none;
 };
 
+/// The number farthest from `p` in the direction of `by`, but no farther than that.
+template <class T>
+T moved(double p, double by) {
+    T there = T(p + by);
+    while (std::abs(double(there) - p) > std::abs(by)) there = std::nextafter(there, T(p));
+    return there;
+}
+
 template <class T>
 class Caster {
   public:
@@ -152,8 +160,9 @@ class Caster {
         for (std::size_t i = 0; i < scene.vertices.position_world.size(); ++i) {
             const std::uint64_t lot = mixed(choices.seed, i);
             const glm::dvec3 ways{sign_of(lot, 0), sign_of(lot, 1), sign_of(lot, 2)};
-            p_world_.push_back(Vec<T>(glm::dvec3(scene.vertices.position_world[i]) +
-                                      precision.world_absolute * nearly_all * ways));
+            const glm::dvec3 p(scene.vertices.position_world[i]),
+                by = precision.world_absolute * nearly_all * ways;
+            p_world_.push_back({moved<T>(p.x, by.x), moved<T>(p.y, by.y), moved<T>(p.z, by.z)});
         }
     }
 
