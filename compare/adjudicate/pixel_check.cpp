@@ -76,8 +76,12 @@ void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixel
         PixelCheck pixel = answers_at(frames, pixels[i]);
         if (pixels[i].is_id_undecided) {
             const auto query_of = [&](const BoundedFrame& frame, const AnswerCheck& check) {
-                return PixelQuery{&frame.bounds, check.answer.primitive, place.x, place.y,
-                                  pixel.ids_differ() ? AskedReason::the_first : AskedReason::any};
+                return PixelQuery{&frame.bounds,
+                                  check.answer.primitive,
+                                  place.x,
+                                  place.y,
+                                  pixel.ids_differ() ? AskedReason::the_first : AskedReason::any,
+                                  check.answer.camera_depth};
             };
             double needed_px = decide(work, query_of(candidate, pixel.candidate), pixel.candidate,
                                       searched_px, pixel.candidate_decision);
@@ -86,6 +90,8 @@ void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixel
                     std::max(needed_px, decide(work, query_of(frames.reference, pixel.reference),
                                                pixel.reference, searched_px, pixel.reference_decision));
             if (needed_px > 0) return needed_px;
+            pixel.candidate.is_depth_admissible &=
+                !(pixel.candidate.answer.camera_depth > pixel.candidate_decision.farthest_depth);
         }
         pixel.wrong_attribute = attributes.first_wrong(place);
         tell(i, pixel);
@@ -114,9 +120,13 @@ bool is_reference_wrong(const PixelCheck& pixel) {
 
 Finding finding_of(const FramePair& frames, const PixelCheck& pixel, const PixelCoord& place) {
     const Answer& candidate = pixel.candidate.answer;
-    const DepthCheck depth = pixel.candidate.is_invalid
-                                 ? nothing_to_check
-                                 : check_depth_of(frames, frames.candidate, candidate, place);
+    DepthCheck depth = pixel.candidate.is_invalid
+                           ? nothing_to_check
+                           : check_depth_of(frames, frames.candidate, candidate, place);
+    if (depth.bound.high > pixel.candidate_decision.farthest_depth) {
+        depth.bound.high = pixel.candidate_decision.farthest_depth;
+        depth.error_over_bound = error_over_bound(depth.bound, candidate.camera_depth);
+    }
     return {.x = place.x,
             .y = place.y,
             .verdict = class_of(pixel),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "compare/admissible/admissibility.h"
@@ -20,6 +21,7 @@ struct PixelQuery {
     PrimitiveId answer = PrimitiveId::none;
     int x = 0, y = 0;
     AskedReason reason = AskedReason::the_first;
+    double depth = std::numeric_limits<double>::quiet_NaN();  ///< that is shown with it, if any is
 };
 
 /// What became of a query.
@@ -27,7 +29,9 @@ struct QueryResult {
     Decision decision;
     /// The displacement of an answer that is admissible by its place (Admissibility::visible); see
     /// admissible/displacement.h.
-    std::optional<double> displacement_over_eps;
+    std::optional<double> displacement_over_eps = std::nullopt;
+    /// Beyond that, what covers the pixel for certain hides the query's depth.
+    double farthest_depth = unlimited;
 };
 
 /// Changes what stands around an answer before it is decided: another rule of drawing than the declared one.

@@ -1,6 +1,7 @@
 #include "compare/adjudicate/tile_work.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "compare/admissible/displacement.h"
 #include "compare/admissible/true_visibility.h"
@@ -136,13 +137,31 @@ std::size_t TileWork::count_within(const PixelQuery& query, double reach_px) {
     return count;
 }
 
+/// What is shown is what was compared. Where nothing bounds an answer's depth, that must not lie behind what
+/// covers the pixel for certain: the farthest depth that does not.
+double TileWork::farthest_depth(const PixelQuery& query) {
+    const auto answer = around_.index_of(query.answer);
+    if (std::isnan(query.depth) || !answer) return unlimited;
+    if (around_.neighbours[*answer].greatest_inverse_depth < unlimited) return unlimited;
+    std::vector<double> inverse_depths{query.bounds->compared_at(query.depth).greatest};
+    for (const Neighbour& n : around_.neighbours)  // behind which something may hide it
+        if (n.least_inverse_depth > inverse_depths.front()) inverse_depths.push_back(n.least_inverse_depth);
+    std::ranges::sort(inverse_depths);
+    const auto here = std::ranges::find_if(inverse_depths, [&](double inverse_depth) {
+        return may_lie_at(inverse_depth, around_, query.answer, coplanar_);
+    });
+    if (here == inverse_depths.begin() || here == inverse_depths.end()) return unlimited;
+    return setting_.view.camera.projection == Projection::perspective ? 1 / *here : -*here;
+}
+
 /// Decides by what was gathered.
 void TileWork::decide_around(const PixelQuery& query, QueryResult& adjudicated) {
     const std::size_t most_work = around_.most_work,
                       at_least = around_.neighbours.size() / neighbours_per_cut;
     around_.most_work = std::min(most_work, work_left_);
-    adjudicated = {zproof::decide(around_, query.answer, coplanar_), std::nullopt};
+    adjudicated = {.decision = zproof::decide(around_, query.answer, coplanar_)};
     take(adjudicated.decision.work + at_least, work_left_);
+    if (is_admissible(adjudicated.decision.admissibility)) adjudicated.farthest_depth = farthest_depth(query);
     if (setting_.asked != QueryDetail::displacement || query.reason == AskedReason::any) return;
     if (adjudicated.decision.admissibility != Admissibility::visible) return;
     if (!take(at_least, displacement_work_left_)) return;
@@ -207,7 +226,7 @@ double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult
         return 0;
     }
     if (!is_work_left || count_within(query, searched_px) > most_neighbours) {
-        adjudicated = {{Admissibility::undecidable, false, searched_px / first_reach}, std::nullopt};
+        adjudicated = {.decision = {Admissibility::undecidable, false, searched_px / first_reach}};
         return 0;
     }
     look_at(query, searched_px);

@@ -76,6 +76,24 @@ Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& 
     return decide_by_region(around, answer, coplanar);
 }
 
+bool may_lie_at(double inverse_depth, const Neighbourhood& around, PrimitiveId answer,
+                CoplanarCache& coplanar) {
+    const std::optional<size_t> index = around.index_of(answer);
+    if (!index) return true;
+    Neighbourhood there = around;
+    there.neighbours[*index].greatest_inverse_depth = inverse_depth;
+    const auto is_held = [&]<class Number>(AdmissibleSet<Number> set) {
+        return set.holds(*index, {DepthRule::bounded, set.edge_rule()}) || set.holds(*index, by_crack);
+    };
+    try {
+        return is_held(AdmissibleSet<Interval>(there, coplanar));
+    } catch (const UndecidedSign&) {
+        return is_held(AdmissibleSet<LazyRational>(there, coplanar));
+    } catch (const TooMuchWork&) {
+        return true;
+    }
+}
+
 PixelClass class_of(Admissibility candidate, Admissibility reference) {
     if (is_admissible(candidate) && is_inadmissible(reference)) return PixelClass::reference_wrong;
     switch (is_admissible(candidate) && is_admissible(reference) ? std::max(candidate, reference)

@@ -68,6 +68,25 @@ bool ViewBounds::keeps_to_corners() const {
     return raster && raster->keeps_to_corners();
 }
 
+InverseDepthRange ViewBounds::compared_at(double depth) const {
+    const auto* raster = std::get_if<RasterBounds>(&of_kind_);
+    const auto* ray = std::get_if<RayBounds>(&of_kind_);
+    if (!(raster && raster->shows_what_it_compares()) && !(ray && ray->has_depth_of_distance()))
+        return {-unlimited, unlimited};
+    const double here = facts_.perspective ? 1 / depth : -depth,
+                 error = std::abs(here) * gamma(2, unit_roundoff_float32) +
+                         (raster ? raster->decoding_error(facts_) : 0);
+    return facts_.perspective && !(depth > 0) ? InverseDepthRange{-unlimited, unlimited}
+                                              : InverseDepthRange{here - error, here + error};
+}
+
+bool ViewBounds::can_be_stored(double depth) const {
+    const auto* raster = std::get_if<RasterBounds>(&of_kind_);
+    if (!raster || !raster->shows_what_it_compares()) return true;
+    const InverseDepthRange stored = raster->storable(facts_), here = compared_at(depth);
+    return here.greatest >= stored.least && here.least <= stored.greatest;
+}
+
 bool ViewBounds::is_watertight() const {
     return std::visit([](const auto& kind) { return kind.is_watertight(); }, of_kind_);
 }

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "compare/bounds/bounded_bounds.h"
+#include "compare/bounds/depth_bound.h"
 #include "compare/bounds/plane_ray_bounds.h"
 #include "compare/bounds/raster_bounds.h"
 #include "compare/bounds/ray_bounds.h"
@@ -35,6 +36,11 @@ class ViewBounds {
     /// Is every depth a weighted mean of the corners'? A ray and a plane equation meet the plane beyond them.
     bool keeps_to_corners() const;
     /// Do triangles that share an edge move it alike?
+    /// What inverse depth may have been compared where this depth is shown; what decoding z costs included.
+    /// Everything where another depth is compared than is shown.
+    InverseDepthRange compared_at(double depth) const;
+    /// Can a depth buffer hold that? It holds z in [0, 1].
+    bool can_be_stored(double depth) const;
     bool is_watertight() const;
     /// Does it make several triangles of one that near or far clips? A ray caster clips none.
     bool cuts_triangles() const;

@@ -10,6 +10,11 @@ struct DepthBound {
     double low = 0, truth = 0, high = 0;  ///< all NaN where the answer is background
 };
 
+/// Inverse depths: 1 / depth for perspective, -depth for parallel projections.
+struct InverseDepthRange {
+    double least, greatest;
+};
+
 /// |depth - truth| over the bound on that side; 0 for an exact hit, and where nothing bounds it; NaN for NaN.
 inline double error_over_bound(const DepthBound& bound, double depth) {
     const double error = std::abs(depth - bound.truth);

@@ -6,12 +6,9 @@
 #include <cmath>
 
 #include "compare/bounds/bounds.h"
+#include "compare/bounds/depth_bound.h"
 
 namespace zproof {
-
-struct InverseDepthRange {
-    double least, greatest;
-};
 
 /// The range that holds everything.
 inline constexpr InverseDepthRange any_inverse_depth{-unlimited, unlimited};

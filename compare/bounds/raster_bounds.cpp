@@ -177,12 +177,29 @@ PlaneEquationBounds RasterBounds::z_bounds(std::span<const WindowCorner> polygon
         bounds.z_error = gammas_of_z()[4] * std::max(z_max, shift.least_z_term) +
                          gammas_of(precision_.interpolation)[8] * z_max;
     }
-    if (precision_.depth_buffer != DepthBuffer::camera_depth) {
-        if (precision_.linearization == Arithmetic::float32 || is_wide())
-            bounds.z_error +=
-                gammas_of(precision_.linearization)[6] * (std::abs(z.offset) + largest_z(polygon));
-    }
+    bounds.z_error += decoding_error_of_z(z, largest_z(polygon));
     return bounds;
+}
+
+double RasterBounds::decoding_error_of_z(const ZRange& z, double z_max) const {
+    const bool is_rounded = precision_.linearization == Arithmetic::float32 || is_wide();
+    return precision_.depth_buffer == DepthBuffer::camera_depth || !is_rounded
+               ? 0
+               : gammas_of(precision_.linearization)[6] * (std::abs(z.offset) + z_max);
+}
+
+double RasterBounds::decoding_error(const ViewFacts& facts) const {
+    const ZRange z = z_range(facts.view.camera, precision_);
+    const double error = decoding_error_of_z(z, 1);
+    return error > 0 ? error / std::abs(z.per_inverse_depth) : 0;
+}
+
+InverseDepthRange RasterBounds::storable(const ViewFacts& facts) const {
+    if (precision_.depth_buffer == DepthBuffer::camera_depth) return {-unlimited, unlimited};
+    const ZRange z = z_range(facts.view.camera, precision_);
+    const auto [least, greatest] =
+        std::minmax({(0 - z.offset) / z.per_inverse_depth, (1 - z.offset) / z.per_inverse_depth});
+    return {least, greatest};
 }
 
 void RasterBounds::set_z(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,

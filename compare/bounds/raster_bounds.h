@@ -4,10 +4,12 @@
 #include <optional>
 #include <span>
 
+#include "compare/bounds/depth_bound.h"
 #include "compare/bounds/plane_equation.h"
 #include "compare/bounds/roundings.h"
 #include "compare/bounds/triangle_bounds.h"
 #include "compare/bounds/view_facts.h"
+#include "compare/bounds/z_range.h"
 #include "frame/precision.h"
 
 namespace zproof {
@@ -23,6 +25,11 @@ class RasterBounds {
     bool is_homogeneous() const;
     bool is_watertight() const { return precision_.watertight; }
     bool clips_at_sides() const { return precision_.clipping == Clipping::view_volume && !is_homogeneous(); }
+    bool shows_what_it_compares() const { return precision_.shown_depth == ShownDepth::buffer; }
+    /// What turning z into a depth costs, in inverse depth.
+    double decoding_error(const ViewFacts& facts) const;
+    /// Inverse depths of a z in [0, 1]; everything where the buffer holds no z.
+    InverseDepthRange storable(const ViewFacts& facts) const;
     double background_eps_px() const { return background_eps_px_; }
     double snap_px() const { return snap_px_; }
 
@@ -55,6 +62,7 @@ class RasterBounds {
     /// Adds what edge functions and depth err by where nothing is divided before. `transform` as above.
     void add_homogeneous(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
                          double transform) const;
+    double decoding_error_of_z(const ZRange& z, double z_max) const;
     bool is_wide() const;
     const Gammas& gammas_of_z() const;
     bool has_plain_coverage() const;

@@ -113,13 +113,9 @@ double RayBounds::framing() const {
     return precision_.arithmetic == Arithmetic::float64 ? unit_roundoff_float32 : 0;
 }
 
-bool RayBounds::has_depth_of_distance() const {
-    return precision_.hit_point == HitPoint::distance && precision_.world_absolute == 0 &&
-           precision_.test != RayTest::woop;
-}
-
 std::optional<DepthTerms> RayBounds::quick_depth_terms(const TriangleExtent& extent) const {
-    if (!has_depth_of_distance()) return std::nullopt;
+    if (!has_depth_of_distance() || precision_.world_absolute > 0 || precision_.test == RayTest::woop)
+        return std::nullopt;
     DepthTerms terms = terms_.of(extent.size);
     terms.factor += framing();
     return terms;

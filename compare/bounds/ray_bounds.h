@@ -17,6 +17,8 @@ class RayBounds {
     /// What depth needs, where it is known without the rest.
     std::optional<DepthTerms> quick_depth_terms(const TriangleExtent& extent) const;
     bool is_watertight() const { return precision_.watertight; }
+    /// Is the depth that is shown the distance that was compared?
+    bool has_depth_of_distance() const { return precision_.hit_point == HitPoint::distance; }
     double background_eps_px() const { return aim_.px; }
 
   private:
@@ -27,7 +29,6 @@ class RayBounds {
     void add_hit_point(TriangleBounds& bounds, const TriangleExtent& extent, double edges_px) const;
     void add_world_error(TriangleBounds& bounds, const ViewFacts& facts) const;
     bool may_be_missed(const ViewFacts& facts, const TriangleExtent& extent) const;
-    bool has_depth_of_distance() const;
     double framing() const;
 
     RayPrecision precision_;

@@ -1,6 +1,7 @@
 /// Depths and gaps at the limit of what is promised, and a hundredth beyond it.
 #include <gtest/gtest.h>
 
+#include "frame/precision_text.h"
 #include "test_scene.h"
 
 namespace zproof {
@@ -46,6 +47,19 @@ TEST(HeldToThePromise, ARaysDepthLiesBetweenNearAndFar) {
         for (const double depth : {2e-3, 2000.0, 1e30})
             EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::wrong_depth) << depth;
     }
+}
+
+/// A z-buffer's plane says nothing of it. But z lies in [0, 1], and what is shown is what was compared with the
+/// wall behind.
+TEST(HeldToThePromise, AZBuffersDepthOfATriangleEdgeOnIsOneThatPassedItsTest) {
+    TestScene t(Projection::perspective, 4, 4, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}, wall(16)});
+    t.candidate_precision = precision_from_word("d3d11");
+    answer_everywhere(t.reference, 1, 16);
+    for (const double depth : {2.0, 5.0, 15.9, 16.0})
+        EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::edge) << depth;
+    const double near = t.view.camera.near_depth, far = t.view.camera.far_depth;
+    for (const double depth : {near * 0.99, 16.1, 99.0, far * 1.01})
+        EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::wrong_depth) << depth;
 }
 
 /// Near leaves a quadrilateral of the triangle. One of its diagonals passes 1/6 px beside the centre of pixel
