@@ -477,28 +477,51 @@ bool AdmissibleSet<Number>::holds_centre(size_t occluder, std::optional<size_t> 
 }
 
 /// May the renderer cut the occluder into triangles that share an edge within eps of the square's centre?
-/// That edge may end wherever near and far may cut: it is looked at for both places of each, and may not pass
-/// the centre between.
+/// That edge may end wherever near and far may cut: it is looked at for both ends of each step of theirs, and
+/// may not pass the centre between.
 template <class Number>
 bool AdmissibleSet<Number>::is_cut_at_the_centre(size_t occluder) {
     const Neighbour& n = around_.neighbours[occluder];
     const Camera& c = around_.view.camera;
     if (!around_.cuts_triangles || !may_be_clipped(c, n)) return false;
     if (!std::isfinite(n.near_slack + n.far_slack)) return true;
+    const CutTriangle<Number> triangle(c, corners<Number>(n.p_world));
+    const auto near = triangle.steps(c.near_depth - n.near_slack, c.near_depth + n.near_slack);
+    const bool has_far = std::isfinite(c.far_depth);
+    const auto far = has_far ? triangle.steps(c.far_depth - n.far_slack, c.far_depth + n.far_slack)
+                             : std::vector<Number>(2);
+    const auto pieces = [&](size_t i, size_t j) {
+        std::vector<PolygonWorld<Number>> at_ends;
+        for (const bool near_end : {false, true})
+            for (const bool far_end : {false, true}) {
+                const CutDepth<Number> of_far{far[j + far_end], !far_end || n.far_slack == 0};
+                at_ends.push_back(triangle.left_between({near[i + near_end], near_end || n.near_slack == 0},
+                                                        has_far ? std::optional(of_far) : std::nullopt));
+            }
+        return at_ends;
+    };
+    for (size_t i = 0; i + 1 < near.size(); ++i)
+        for (size_t j = 0; j + 1 < far.size(); ++j)
+            if (do_diagonals_pass_the_centre(pieces(i, j))) return true;
+    return false;
+}
+
+/// Does a diagonal of one of the polygons lie within eps of the centre, or on another side of it than in
+/// another of them?
+template <class Number>
+bool AdmissibleSet<Number>::do_diagonals_pass_the_centre(
+    const std::vector<std::vector<Vector3<Number>>>& polygons) {
     const Number h(half_side_px_);
     std::vector<int> sides;  // of the centre, by diagonal
-    for (const double near : {c.near_depth - n.near_slack, c.near_depth + n.near_slack})
-        for (const double far : {c.far_depth - n.far_slack, c.far_depth + n.far_slack}) {
-            std::vector<int> here;
-            for (const auto& f :
-                 diagonals_of(ray_, left_between({near, far}, c, corners<Number>(n.p_world)))) {
-                if (sign(h * (magnitude(f.a) + magnitude(f.b)) - magnitude(f.c)) >= 0) return true;
-                here.push_back(sign(f.c));
-            }
-            // a corner between both places of a plane has diagonals of its own
-            if (here.size() == sides.size() && here != sides) return true;
-            sides = here;
+    for (const auto& polygon : polygons) {
+        std::vector<int> here;
+        for (const auto& f : diagonals_of(ray_, polygon)) {
+            if (sign(h * (magnitude(f.a) + magnitude(f.b)) - magnitude(f.c)) >= 0) return true;
+            here.push_back(sign(f.c));
         }
+        if (&polygon != &polygons.front() && here != sides) return true;
+        sides = here;
+    }
     return false;
 }
 

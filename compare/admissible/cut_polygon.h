@@ -2,7 +2,8 @@
 /// triangles.
 #pragma once
 
-#include <cmath>
+#include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "compare/bounds/triangle_image.h"
@@ -12,36 +13,63 @@ namespace zproof {
 template <class Number>
 using PolygonWorld = std::vector<Vector3<Number>>;
 
-/// The part of a convex polygon where `distance`, affine in space, is not negative.
+/// Where a plane cuts, and whether corners on it are left: it is seen from places of it that leave them.
+template <class Number>
+struct CutDepth {
+    Number depth;
+    bool leaves_corners;
+};
+
+/// The part of a convex polygon where `distance`, affine in space, is above 0; 0, where that is left.
 template <class Number, class Distance>
-PolygonWorld<Number> cut_by(const PolygonWorld<Number>& polygon, const Distance& distance) {
+PolygonWorld<Number> cut_by(const PolygonWorld<Number>& polygon, bool leaves_corners,
+                            const Distance& distance) {
+    const auto is_left = [&](const Number& at) { return sign(at) > 0 || (leaves_corners && sign(at) == 0); };
     PolygonWorld<Number> left;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Vector3<Number>&p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
         const Number at_p = distance(p), at_q = distance(q);
-        if (sign(at_p) >= 0) left.push_back(p);
-        if (sign(at_p) * sign(at_q) < 0) left.push_back(p + (at_p / (at_p - at_q)) * (q - p));
+        if (is_left(at_p)) left.push_back(p);
+        if (is_left(at_p) != is_left(at_q)) left.push_back(p + (at_p / (at_p - at_q)) * (q - p));
     }
     return left;
 }
 
-/// Where near and far cut, as camera depths.
-struct PlaneDepths {
-    double near, far;
-};
-
 template <class Number>
-PolygonWorld<Number> left_between(const PlaneDepths& planes, const Camera& camera,
-                                  const Corners<Number>& p_world) {
-    const Vector3<Number> eye = exactly<Number>(glm::dvec3(camera.eye_world)),
-                          back = exactly<Number>(camera.back);
-    const auto depth = [&](const Vector3<Number>& p) { return -dot(back, p - eye); };
-    const Number near(planes.near), far(std::isfinite(planes.far) ? planes.far : 0);
-    PolygonWorld<Number> polygon(p_world.begin(), p_world.end());
-    polygon = cut_by(polygon, [&](const auto& p) { return depth(p) - near; });
-    if (!std::isfinite(planes.far)) return polygon;
-    return cut_by(polygon, [&](const auto& p) { return far - depth(p); });
-}
+class CutTriangle {
+  public:
+    CutTriangle(const Camera& camera, const Corners<Number>& p_world)
+        : eye_(exactly<Number>(glm::dvec3(camera.eye_world))),
+          back_(exactly<Number>(camera.back)),
+          p_world_(p_world.begin(), p_world.end()) {}
+
+    PolygonWorld<Number> left_between(const CutDepth<Number>& near,
+                                      const std::optional<CutDepth<Number>>& far) const {
+        auto left = cut_by(p_world_, near.leaves_corners,
+                           [&](const auto& p) { return depth(p) - near.depth; });
+        if (!far) return left;
+        return cut_by(left, far->leaves_corners, [&](const auto& p) { return far->depth - depth(p); });
+    }
+
+    /// From `low` to `high`, and the depths of corners between: what is left has as many corners from each to
+    /// the next.
+    std::vector<Number> steps(double low, double high) const {
+        std::vector<Number> steps{Number(low)};
+        for (const auto& p : p_world_)
+            if (sign(depth(p) - Number(low)) > 0 && sign(Number(high) - depth(p)) > 0)
+                steps.push_back(depth(p));
+        std::sort(steps.begin(), steps.end(),
+                  [](const Number& a, const Number& b) { return sign(b - a) > 0; });
+        steps.push_back(Number(high));
+        return steps;
+    }
+
+  private:
+    Number depth(const Vector3<Number>& p) const { return -dot(back_, p - eye_); }
+
+    Vector3<Number> eye_, back_;
+    PolygonWorld<Number> p_world_;
+};
 
 /// The lines in the image through corners of the polygon that are no neighbours.
 template <class Number>

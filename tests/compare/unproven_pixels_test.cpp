@@ -96,6 +96,18 @@ TEST(UnprovenPixels, AreThoseBesideEdgesThatTheReferenceDisplacesFarther) {
     EXPECT_GT(listed, 10'000);
 }
 
+TEST(UnprovenPixels, AreAllWhereOnlyTheReferenceMayLeaveGaps) {
+    TestScene t(Projection::parallel, 2, 2, {wall(4)});
+    t.candidate_precision = BoundedPrecision{.eps_px = 0.1, .depth_relative = 1e-6};
+    const auto listed = [&](bool is_watertight) {
+        t.reference_precision =
+            BoundedPrecision{.eps_px = 0.1, .depth_relative = 1e-6, .watertight = is_watertight};
+        return std::ranges::count(find_unproven_pixels(pair_of(t)).pixels(), 1);
+    };
+    EXPECT_EQ(listed(true), 0);
+    EXPECT_EQ(listed(false), 4);
+}
+
 /// A triangle that both leave out agrees with nobody but the scene.
 TEST(UnprovenPixels, GoToTheAdmissibleSet) {
     TestScene t(Projection::parallel, 8, 8, {wall_left_of(4, 4)});
