@@ -46,7 +46,8 @@ class TileWork {
         double distance_px;  ///< of its image's box from the centre
         Neighbour neighbour;
     };
-    /// The answer that was first asked about a square of the image, and whether it is truly there all over it.
+    /// The answer that was first asked about a square of the image, and whether it is truly there all over
+    /// it.
     struct Filling {
         PrimitiveId answer;
         bool is_true;

@@ -12,7 +12,8 @@ TriangleCache::TriangleCache(const Scene& scene, const View& view, const Triangl
 }
 
 std::optional<std::size_t> TriangleCache::place_of(PrimitiveId answer) const {
-    const auto found = std::ranges::lower_bound(near_, answer, {}, [](std::uint32_t t) { return PrimitiveId(t); });
+    const auto found =
+        std::ranges::lower_bound(near_, answer, {}, [](std::uint32_t t) { return PrimitiveId(t); });
     if (found == near_.end() || PrimitiveId(*found) != answer) return std::nullopt;
     return std::size_t(found - near_.begin());
 }

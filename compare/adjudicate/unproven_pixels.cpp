@@ -42,7 +42,8 @@ class CoarseOutline {
         box_ = box;
         if (is_shown) box_.widen(most_eps_px(reference_) + 1);
         box_ = {std::max(box_.left - 0.5, 0.0), std::max(box_.top - 0.5, 0.0),
-                std::min(box_.right - 0.5, view_.width - 1.0), std::min(box_.bottom - 0.5, view_.height - 1.0)};
+                std::min(box_.right - 0.5, view_.width - 1.0),
+                std::min(box_.bottom - 0.5, view_.height - 1.0)};
     }
 
     void mark(Plane<std::uint8_t>& pixels) {

@@ -45,9 +45,9 @@ double tolerated_px(const Neighbour& n) {
     double largest = 0;
     if (n.weight_tolerance > 0)
         for (const Affine<double>& f : n.edges)
-            largest = std::max(largest, n.weight_tolerance *
-                                            std::abs(n.edges[0].c + n.edges[1].c + n.edges[2].c) /
-                                            (std::abs(f.a) + std::abs(f.b)));
+            largest =
+                std::max(largest, n.weight_tolerance * std::abs(n.edges[0].c + n.edges[1].c + n.edges[2].c) /
+                                      (std::abs(f.a) + std::abs(f.b)));
     return largest;
 }
 

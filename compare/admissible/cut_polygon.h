@@ -45,8 +45,8 @@ class CutTriangle {
 
     PolygonWorld<Number> left_between(const CutDepth<Number>& near,
                                       const std::optional<CutDepth<Number>>& far) const {
-        auto left = cut_by(p_world_, near.leaves_corners,
-                           [&](const auto& p) { return depth(p) - near.depth; });
+        auto left =
+            cut_by(p_world_, near.leaves_corners, [&](const auto& p) { return depth(p) - near.depth; });
         if (!far) return left;
         return cut_by(left, far->leaves_corners, [&](const auto& p) { return far->depth - depth(p); });
     }

@@ -19,7 +19,7 @@ TrueVisibility::TrueVisibility(const Camera& camera, const SquareInView& square,
       near_(inverse_depth(camera, camera.near_depth)),
       far_(inverse_depth(camera, camera.far_depth)),
       error_scale_(2 * std::max(1.0, square.half_side_px + std::max(std::abs(square.from_view_ray.x),
-                                                                     std::abs(square.from_view_ray.y)))) {}
+                                                                    std::abs(square.from_view_ray.y)))) {}
 
 auto TrueVisibility::range_of(const Affine<double>& f, double error) const -> Range {
     const double middle = f.at(square_.from_view_ray.x, square_.from_view_ray.y),

@@ -36,8 +36,9 @@ class TrueVisibility {
 
     SquareInView square_;
     const Neighbour* answer_;
-    double near_, far_;   ///< inverse depths
-    double error_scale_;  ///< Neighbour has errors within a pixel of its centre; twice pays for the evaluation
+    double near_, far_;  ///< inverse depths
+    double
+        error_scale_;  ///< Neighbour has errors within a pixel of its centre; twice pays for the evaluation
 };
 
 }  // namespace zproof

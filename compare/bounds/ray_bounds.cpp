@@ -56,8 +56,8 @@ std::array<double, 3> moeller_trumbore_px(const ViewFacts& facts, const Triangle
             px(2, gammas[7] * of_v2)};
 }
 
-/// What moving each corner by up to `error` along every axis may take from PlaneSize::volume: a determinant of
-/// the corners, or of both sides and the direction.
+/// What moving each corner by up to `error` along every axis may take from PlaneSize::volume: a determinant
+/// of the corners, or of both sides and the direction.
 double volume_moved_by(double error, const ViewFacts& facts, const TriangleExtent& extent) {
     const auto& v = extent.v_world;
     if (!facts.perspective) {
@@ -67,13 +67,13 @@ double volume_moved_by(double error, const ViewFacts& facts, const TriangleExten
     }
     double moved = 4 * error * error * error;
     for (std::size_t i = 0; i < 3; ++i)
-        moved += error * sum_abs(glm::cross(v[(i + 1) % 3], v[(i + 2) % 3])) +
-                 2 * error * error * sum_abs(v[i]);
+        moved +=
+            error * sum_abs(glm::cross(v[(i + 1) % 3], v[(i + 2) % 3])) + 2 * error * error * sum_abs(v[i]);
     return moved;
 }
 
-/// Woop: what the three weights err by, as a share of their sum, times how much their corners' distances along
-/// the ray differ.
+/// Woop: what the three weights err by, as a share of their sum, times how much their corners' distances
+/// along the ray differ.
 double sheared_mean_error(const ViewFacts& facts, const TriangleExtent& extent, double unit) {
     const auto& v = extent.v_world;
     std::array<double, 3> size;
@@ -124,8 +124,8 @@ std::optional<DepthTerms> RayBounds::quick_depth_terms(const TriangleExtent& ext
 TriangleBounds RayBounds::of(const ViewFacts& facts, const TriangleExtent& extent) const {
     TriangleSize size = extent.size;
     if (precision_.world_absolute > 0)
-        size.plane.volume = std::max(
-            0.0, size.plane.volume - volume_moved_by(precision_.world_absolute, facts, extent));
+        size.plane.volume =
+            std::max(0.0, size.plane.volume - volume_moved_by(precision_.world_absolute, facts, extent));
     TriangleBounds bounds = bounds_of(terms_.of(size));
     if (precision_.test == RayTest::woop && precision_.hit_point == HitPoint::distance)
         (facts.perspective ? bounds.depth_factor : bounds.depth_absolute) +=

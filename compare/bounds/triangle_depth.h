@@ -118,8 +118,8 @@ class TriangleDepth {
                 relative_at<relative>(here)};
     }
     UnroundedDepth range_at(double x, double y) const;
-    /// What a limit near the depth h >= 0 may be off by, with our own rounding. An error g of inverse depth is
-    /// one of g h / (1 - g h) in the depth h: at most 2 g h^2, or the depth is not held.
+    /// What a limit near the depth h >= 0 may be off by, with our own rounding. An error g of inverse depth
+    /// is one of g h / (1 - g h) in the depth h: at most 2 g h^2, or the depth is not held.
     template <Projection projection>
     static double unsure_of(double h, double own_error) {
         constexpr double rounding = 8 * unit_roundoff_float64;

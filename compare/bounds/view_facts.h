@@ -33,12 +33,12 @@ struct ViewFacts {
     View view;
     bool perspective;
     ImageScale scale;
-    double largest_u, largest_v;  ///< of |window|
+    double largest_u, largest_v;         ///< of |window|
     glm::dvec3 right_per_px, up_per_px;  ///< of a point at depth 1
-    glm::dvec3 direction_abs;     ///< per world axis, the largest |direction| in the image
-    double start;                 ///< parallel: how far behind the eye rays start, on the near plane; else 0
-    glm::dvec3 origin_abs;        ///< per world axis, the largest |origin - eye|
-    double orthonormality;        ///< largest entry of |R R^T - I|
+    glm::dvec3 direction_abs;            ///< per world axis, the largest |direction| in the image
+    double start;           ///< parallel: how far behind the eye rays start, on the near plane; else 0
+    glm::dvec3 origin_abs;  ///< per world axis, the largest |origin - eye|
+    double orthonormality;  ///< largest entry of |R R^T - I|
     Gauge gauge;
 };
 

@@ -88,12 +88,13 @@ TEST_P(AdversarialHonesty, IsProvenInRandomScenes) {
 
 INSTANTIATE_TEST_SUITE_P(Sample, AdversarialHonesty, testing::Range<std::size_t>(0, slices));
 
-/// A place beyond two edges by their weights' tolerance, the depth of a mean with rounded weights, corners that
-/// the promise moves by much of the triangle's height, a triangle that lies on near but for rounding, diagonals of
-/// what is left where a corner lies between two places of near or far.
+/// A place beyond two edges by their weights' tolerance, the depth of a mean with rounded weights, corners
+/// that the promise moves by much of the triangle's height, a triangle that lies on near but for rounding,
+/// diagonals of what is left where a corner lies between two places of near or far.
 TEST(FoundByTheAttack, IsProvenWhereAnEpsByItselfDoesNotTell) {
     Count count;
-    for (const auto& [seed, number] : {std::pair{100, 90}, {100, 11}, {101, 59}, {100, 93}, {106, 12}, {103, 84}})
+    for (const auto& [seed, number] :
+         {std::pair{100, 90}, {100, 11}, {101, 59}, {100, 93}, {106, 12}, {103, 84}})
         count += hold(random_attack_scene(std::uint64_t(seed), std::uint64_t(number)), std::uint64_t(number));
     report(count);
 }

@@ -54,8 +54,7 @@ void try_run(const TriangleDepth& triangle, const PixelCoord& first, std::span<c
     std::vector<double> errors(whole + 1, untouched), rooms(whole + 1, untouched);
     std::vector<float> padded(depths.begin(), depths.end());
     padded.resize(whole, std::numeric_limits<float>::quiet_NaN());
-    find_depth_errors(triangle, first.x, first.y, depths.size(), padded.data(), errors.data(),
-                      rooms.data());
+    find_depth_errors(triangle, first.x, first.y, depths.size(), padded.data(), errors.data(), rooms.data());
     ASSERT_EQ(errors.back(), untouched) << "beyond the run";
     ASSERT_EQ(rooms.back(), untouched) << "beyond the run";
     for (std::size_t i = 0; i < depths.size(); ++i) {

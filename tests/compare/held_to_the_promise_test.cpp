@@ -49,8 +49,8 @@ TEST(HeldToThePromise, ARaysDepthLiesBetweenNearAndFar) {
     }
 }
 
-/// A z-buffer's plane says nothing of it. But z lies in [0, 1], and what is shown is what was compared with the
-/// wall behind.
+/// A z-buffer's plane says nothing of it. But z lies in [0, 1], and what is shown is what was compared with
+/// the wall behind.
 TEST(HeldToThePromise, AZBuffersDepthOfATriangleEdgeOnIsOneThatPassedItsTest) {
     TestScene t(Projection::perspective, 4, 4, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}, wall(16)});
     t.candidate_precision = precision_from_word("d3d11");
@@ -60,6 +60,14 @@ TEST(HeldToThePromise, AZBuffersDepthOfATriangleEdgeOnIsOneThatPassedItsTest) {
     const double near = t.view.camera.near_depth, far = t.view.camera.far_depth;
     for (const double depth : {near * 0.99, 16.1, 99.0, far * 1.01})
         EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::wrong_depth) << depth;
+}
+
+/// Nothing bounds a mean by such weights, but no renderer shows what lies behind the eye.
+TEST(HeldToThePromise, ADepthBehindTheEyeIsNone) {
+    TestScene t = edge_on(Projection::perspective);
+    t.candidate_precision = precision_from_word("pytorch3d");
+    EXPECT_EQ(class_of_depth(t, 1, 1, 5), PixelClass::edge);
+    EXPECT_EQ(class_of_depth(t, 1, 1, -5), PixelClass::invalid);
 }
 
 /// Near leaves a quadrilateral of the triangle. One of its diagonals passes 1/6 px beside the centre of pixel

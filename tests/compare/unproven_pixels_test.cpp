@@ -44,8 +44,8 @@ void show_some(TestScene& t, Rng& rng) {
     t.candidate = t.reference;
 }
 
-/// Does the reference displace an edge over a pixel that is not listed farther than the candidate may, of what
-/// it shows there, or of what is truly there?
+/// Does the reference displace an edge over a pixel that is not listed farther than the candidate may, of
+/// what it shows there, or of what is truly there?
 void expect_finer_at_other_pixels(const FramePair& pair, int& fine, int& listed) {
     const Plane<std::uint8_t> unproven = find_unproven_pixels(pair);
     const ViewRays<double> rays(pair.view);
