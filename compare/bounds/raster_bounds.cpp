@@ -197,8 +197,10 @@ double RasterBounds::decoding_error(const ViewFacts& facts) const {
 InverseDepthRange RasterBounds::storable(const ViewFacts& facts) const {
     if (precision_.depth_buffer == DepthBuffer::camera_depth) return {-unlimited, unlimited};
     const ZRange z = z_range(facts.view.camera, precision_);
-    const auto [least, greatest] =
-        std::minmax({(0 - z.offset) / z.per_inverse_depth, (1 - z.offset) / z.per_inverse_depth});
+    // a float may pass the ends by the roundings of corners and mean; steps do not
+    const double beyond = step_of_z(precision_.depth_format) == 0 ? gammas_of_z()[12] : 0;
+    const auto [least, greatest] = std::minmax(
+        {(-beyond - z.offset) / z.per_inverse_depth, (1 + beyond - z.offset) / z.per_inverse_depth});
     return {least, greatest};
 }
 
