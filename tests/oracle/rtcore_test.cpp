@@ -42,7 +42,7 @@ struct Packet {
 /// Processors trace 4, 8 or 16 rays side by side; narrower ones are within wider ones.
 TEST(CoherentRays, EachLaneHasItsOwnHitWithEveryInstructionSet) {
     const Scene scene = one_for_each_lane();
-    for (const char* const narrowed : {"max_isa=sse4.2", "max_isa=avx", "max_isa=avx2", ""})
+    for (const char* const narrowed : {"max_isa=sse42", "max_isa=avx", "max_isa=avx2", ""})
         for (const int every : {1, 3, 5}) {
             SCOPED_TRACE(std::string{narrowed} + ", every " + std::to_string(every));
             const DeviceHandle device(rtcNewDevice(narrowed));
