@@ -46,12 +46,10 @@ class BareEmbree {
     }
     void trace() const {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, packets_.size(), 64), [&](const auto& some) {
-            RTCIntersectContext context;
-            rtcInitIntersectContext(&context);
-            context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+            const oracle::CoherentRays scene{device_.get(), scene_.get()};
             for (std::size_t i = some.begin(); i < some.end(); ++i) {
                 Packet packet = packets_[i];
-                rtcIntersect16(packet.valid.data(), scene_.get(), &context, &packet.rays);
+                scene.intersect(packet.valid.data(), packet.rays);
                 benchmark::DoNotOptimize(packet);
             }
         });

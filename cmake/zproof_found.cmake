@@ -9,6 +9,14 @@ macro(zproof_find debian)
     endif()
 endmacro()
 
+# Embree 3 or 4 (oracle/rtcore.h). Its own file would accept one of them only.
+macro(zproof_find_embree)
+    zproof_find(libembree-dev embree)
+    if(embree_FOUND AND (embree_VERSION VERSION_LESS 3.13 OR embree_VERSION VERSION_GREATER_EQUAL 5))
+        list(APPEND ZPROOF_MISSING libembree-dev)
+    endif()
+endmacro()
+
 # Of a library that brings no file for CMake: one of its headers.
 macro(zproof_find_header debian header)
     find_path(ZPROOF_FOLDER_OF_${debian} ${header})
@@ -24,7 +32,7 @@ function(zproof_refuse_what_is_missing)
         string(CONCAT remark "docs/dependencies.md says what each is for. "
             "Another version of one may be here: docs/cli.md, \"If it does not work\".")
         message(FATAL_ERROR "zproof needs libraries that are not here. "
-            "On Debian 12: apt-get install --no-install-recommends ${names}\n"
+            "On Debian: apt-get install --no-install-recommends ${names}\n"
             "Elsewhere: the packages that hold the same libraries. ${remark}")
     endif()
 endfunction()

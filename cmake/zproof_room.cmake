@@ -6,7 +6,7 @@ set(zproof_precompiled
 # zproof_build_quickly(target [OPTIMIZE -O1] [LIBRARY name HEADER <name.h>]): all targets of the same options share what is
 # precompiled, that library's header too.
 function(zproof_build_quickly target)
-    cmake_parse_arguments(PARSE_ARGV 1 BUILD "" "OPTIMIZE;LIBRARY;HEADER" "")
+    cmake_parse_arguments(BUILD "" "OPTIMIZE;LIBRARY;HEADER" "" ${ARGN})
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${BUILD_OPTIMIZE}>)
     string(MAKE_C_IDENTIFIER "zproof_precompiled${BUILD_OPTIMIZE}${BUILD_LIBRARY}" headers)
     if(NOT TARGET ${headers})

@@ -68,7 +68,7 @@ const std::array known_precisions{
         "cycles",
         RayPrecision{.aim_offset_px = 0.005, .direction_roundings = 16, .hit_point = HitPoint::barycentrics},
         "Blender's Cycles: Pluecker test, hit from barycentrics, filter of 0.01 px"},
-    PrecisionPreset{"embree", RayPrecision{}, "Embree 3.13, RTC_SCENE_FLAG_ROBUST"},
+    PrecisionPreset{"embree", RayPrecision{}, "Embree 3.13 and 4, RTC_SCENE_FLAG_ROBUST"},
     PrecisionPreset{"open3d", RayPrecision{.direction_roundings = 8},
                     "Open3D's RaycastingScene: Embree, rays of a pinhole camera in float32"},
     PrecisionPreset{"moeller-trumbore-float32",

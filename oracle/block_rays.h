@@ -2,12 +2,11 @@
 /// pixels is worked out once per view.
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <array>
 #include <vector>
 
 #include "oracle/primary_ray.h"
+#include "oracle/rtcore.h"
 
 namespace zproof::oracle {
 

@@ -127,20 +127,14 @@ void store_barycentrics(const Packet& packet, const Block& block, const BlockPar
     }
 }
 
-void intersect(RTCScene scene, Packet& packet) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect16(packet.valid.data(), scene, &context, &packet.rays);
-}
-
 /// packet: begun for the view, and left as the block before had it.
-void trace_block(RTCScene scene, const BlockRays& rays, const Block& block, Packet& packet, Frame& frame) {
+void trace_block(const CoherentRays& scene, const BlockRays& rays, const Block& block, Packet& packet,
+                 Frame& frame) {
     const BlockPart part = part_in(frame.size(), block);
     packet.begin();
     if (!part.is_whole()) leave_out_what_is_beyond(packet, part);
     rays.aim(block.x, block.y, packet.rays.ray);
-    intersect(scene, packet);
+    scene.intersect(packet.valid.data(), packet.rays);
     store(hits_of(packet, rays.origin_depth()), block, part, frame);
     if (frame.attributes.has(Attribute::barycentrics)) store_barycentrics(packet, block, part, frame);
 }
@@ -160,7 +154,7 @@ constexpr auto blocks_of_tile = [] {
     return blocks;
 }();
 
-void trace_tile(RTCScene scene, const BlockRays& rays, const Block& tile, Frame& frame) {
+void trace_tile(const CoherentRays& scene, const BlockRays& rays, const Block& tile, Frame& frame) {
     Packet packet;
     rays.begin(packet.rays.ray);
     for (const Block& in_tile : blocks_of_tile) {
@@ -182,6 +176,8 @@ struct Embree::Device {
         rtcCommitScene(triangles.get());
         errors.raise("built the scene '" + scene.name + "'");
     }
+
+    CoherentRays rays() const { return {device.get(), triangles.get()}; }
 
     EmbreeErrors errors;  ///< outlives the device, which reports to it
     DeviceHandle device;
@@ -210,25 +206,26 @@ Frame Embree::trace_with_barycentrics(const View& view) const {
 
 void Embree::trace_into(Frame& frame, const View& view) const {
     const BlockRays rays(view);
+    const CoherentRays scene = device_->rays();
     const unsigned tiles_a_side =
         std::bit_ceil(unsigned(std::max(view.width, view.height) - 1) / tile_side_px + 1);
     tbb::parallel_for(0u, tiles_a_side * tiles_a_side, [&](unsigned code) {
         const Block tile{every_second_bit(code) * tile_side_px, every_second_bit(code >> 1) * tile_side_px};
-        if (tile.x < view.width && tile.y < view.height)
-            trace_tile(device_->triangles.get(), rays, tile, frame);
+        if (tile.x < view.width && tile.y < view.height) trace_tile(scene, rays, tile, frame);
     });
     device_->errors.raise("traced the view '" + view.name + "'");
 }
 
 std::vector<PrimitiveId> Embree::met(const View& view, std::span<const glm::dvec2> p_raster) const {
     std::vector<PrimitiveId> hits(p_raster.size(), PrimitiveId::none);
+    const CoherentRays scene = device_->rays();
     for (std::size_t first = 0; first < p_raster.size(); first += lane_count) {
         Packet packet;
         for (int lane = 0; lane < lane_count; ++lane) {
             const std::size_t at = std::min(first + std::size_t(lane), p_raster.size() - 1);
             set_lane(packet, lane, ray_through(view, p_raster[at]));
         }
-        intersect(device_->triangles.get(), packet);
+        scene.intersect(packet.valid.data(), packet.rays);
         for (std::size_t lane = 0; lane < lane_count && first + lane < p_raster.size(); ++lane)
             if (packet.is_hit(int(lane))) hits[first + lane] = PrimitiveId{packet.rays.hit.primID[lane]};
     }

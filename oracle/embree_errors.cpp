@@ -22,8 +22,9 @@ std::string in_words(RTCError code) {
             return "unsupported CPU";
         case RTC_ERROR_CANCELLED:
             return "cancelled";
+        default:  // Embree 4 has others, for graphics cards
+            return "error " + std::to_string(static_cast<int>(code));
     }
-    return "error " + std::to_string(static_cast<int>(code));
 }
 
 void EmbreeErrors::attach_to(RTCDevice device) { rtcSetDeviceErrorFunction(device, &note, this); }

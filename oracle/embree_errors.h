@@ -1,10 +1,10 @@
 /// The errors that an Embree device reports, turned into exceptions on our side of its C interface.
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <mutex>
 #include <string>
+
+#include "oracle/rtcore.h"
 
 namespace zproof::oracle {
 

@@ -1,11 +1,10 @@
 /// Embree's handles, owned; and the baked scene as Embree sees it.
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <memory>
 #include <type_traits>
 
+#include "oracle/rtcore.h"
 #include "scenes/scene.h"
 
 namespace zproof::oracle {

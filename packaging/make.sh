@@ -23,7 +23,7 @@ cat >"$scratch/$name/INSTALL" <<END
 $("$scratch/$name/bin/zproof" --version)
 
 Unpack this folder anywhere; the program is bin/zproof, and it may be moved with its folder only. It is built for
-Debian 12 and needs these packages of it:
+$(. /etc/os-release && echo "$NAME $VERSION_ID") and needs these packages of it:
 
     apt-get install --no-install-recommends \\
         $needed

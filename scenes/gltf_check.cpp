@@ -152,13 +152,14 @@ class Check {
     }
 
     void sparse(const std::string& place, const tinygltf::Accessor& accessor, std::size_t size) const {
-        const auto& [stated, is_sparse, indices, values] = accessor.sparse;
-        const auto count = static_cast<std::size_t>(stated);
+        const auto& indices = accessor.sparse.indices;
+        const auto& values = accessor.sparse.values;
+        const auto count = static_cast<std::size_t>(accessor.sparse.count);
         if (count > accessor.count)
             refuse(file_, place + "/count",
                    std::to_string(count) + "; expected at most the accessor's count, " +
                        std::to_string(accessor.count) + export_again);
-        const auto packed = [&](const std::string& part, int view, int offset, std::size_t bytes) {
+        const auto packed = [&](const std::string& part, int view, auto offset, std::size_t bytes) {
             if (at(model_.bufferViews, view).byteStride != 0)
                 refuse(file_, place + part, "expected a buffer view without byteStride" + export_again);
             run(place + part, {view, static_cast<std::size_t>(offset), bytes, count});

@@ -1,6 +1,8 @@
 #include "scenes/gltf_model.h"
 
+#include <concepts>
 #include <span>
+#include <stdexcept>
 
 #include "scenes/gltf_check.h"
 #include "scenes/gltf_compression.h"
@@ -17,19 +19,42 @@ using Files = std::span<const AdmittedFile>;
 
 /// tinygltf asks for the buffers' files first, in order, and then for those of the images, which it is told
 /// are not there: only images in use are read, and later. The names that it asks by are not looked at.
-tinygltf::FsCallbacks in_order(Files& files) {
-    return {.FileExists = [](const std::string&, void* user) { return !static_cast<Files*>(user)->empty(); },
-            .ExpandFilePath = [](const std::string& path, void*) { return path; },
-            .ReadWholeFile =
-                [](std::vector<unsigned char>* to, std::string*, const std::string&, void* user) {
-                    Files& left = *static_cast<Files*>(user);
-                    to->resize(left.front().bytes);
-                    read_first(left.front().path, *to);
-                    left = left.subspan(1);
-                    return true;
-                },
-            .WriteWholeFile = nullptr,
-            .user_data = &files};
+/// Callbacks: tinygltf::FsCallbacks, which has a size from version 2.9 on.
+template <class Callbacks>
+Callbacks in_order(Files& files) {
+    Callbacks callbacks{};
+    callbacks.FileExists = [](const std::string&, void* user) { return !static_cast<Files*>(user)->empty(); };
+    callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
+    callbacks.ReadWholeFile = [](std::vector<unsigned char>* to, std::string*, const std::string&,
+                                 void* user) {
+        Files& left = *static_cast<Files*>(user);
+        to->resize(left.front().bytes);
+        read_first(left.front().path, *to);
+        left = left.subspan(1);
+        return true;
+    };
+    callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
+                                  void*) { return false; };
+    if constexpr (requires { callbacks.GetFileSizeInBytes; })
+        callbacks.GetFileSizeInBytes = [](std::size_t* bytes, std::string*, const std::string&, void* user) {
+            *bytes = static_cast<Files*>(user)->front().bytes;
+            return true;
+        };
+    callbacks.user_data = &files;
+    return callbacks;
+}
+
+/// tinygltf 2.9 refuses callbacks of which one is missing, and would open files by itself; 2.7 takes all.
+template <class Parser>
+void let_read(Parser& parser, Files& files) {
+    const auto callbacks = in_order<tinygltf::FsCallbacks>(files);
+    if constexpr (requires {
+                      { parser.SetFsCallbacks(callbacks) } -> std::same_as<bool>;
+                  }) {
+        if (!parser.SetFsCallbacks(callbacks)) throw std::logic_error{"tinygltf wants another callback"};
+    } else {
+        parser.SetFsCallbacks(callbacks);
+    }
 }
 
 /// Keeps what a data URI holds; decodes nothing.
@@ -44,7 +69,7 @@ bool keep_encoded(tinygltf::Image* image, int, std::string*, std::string*, int, 
 tinygltf::Model parsed(const std::filesystem::path& file, const Bytes& bytes, const Container& container,
                        Files files) {
     tinygltf::TinyGLTF parser;
-    parser.SetFsCallbacks(in_order(files));
+    let_read(parser, files);
     parser.SetImageLoader(keep_encoded, nullptr);
     tinygltf::Model model;
     std::string error, warning;

@@ -69,7 +69,7 @@ const std::map<std::string, Names> may_include_from_compare{
 /// Where a foreign library is spoken to; everywhere else it is unknown. <iostream>: library rooms never
 /// print.
 const std::map<std::string, Names> spoken_to_in{
-    {"embree3/", {"oracle"}},    {"EGL/", {"oracle"}},
+    {"embree", {"oracle"}},      {"EGL/", {"oracle"}},
     {"GL/", {"oracle"}},         {"OpenImageIO/", {"image_io"}},
     {"tiny_gltf.h", {"scenes"}}, {"nlohmann/", {"frame", "scenes", "reports"}},
     {"CLI/", {"cli"}},           {"nettle/", {"math"}},

@@ -118,12 +118,14 @@ void check(const SettingsFile& file) {
     keys.insert(keys.end(), {"profile", "profiles"});
     root.allow_only(keys);
     keys.resize(keys.size() - 2);
-    if (const TomlValue* profiles = root.find("profiles"))
-        for (const auto& [name, table] : TomlReader{root.file(), *profiles}.entries()) {
+    if (const TomlValue* profiles = root.find("profiles")) {
+        const TomlReader by_name{root.file(), *profiles};
+        for (const auto& [name, table] : by_name.entries()) {
             const TomlReader profile{root.file(), table};
             profile.allow_only(keys);
             assignments_in(profile);
         }
+    }
 }
 
 bool is_said(const Environment& environment, const std::string& name) {

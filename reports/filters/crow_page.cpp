@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "reports/filters/table_cells.h"
 #include "reports/page_parts.h"
@@ -120,7 +121,7 @@ std::string section(const std::string& quote, const std::string& answer, const s
            evidence + "</section>\n";
 }
 
-const CrowAnswer& answer_by(const CrowQuestion& question, const std::string& method) {
+const CrowAnswer& answer_by(const CrowQuestion& question, std::string_view method) {
     return *std::ranges::find(question.answers, method, &CrowAnswer::method);
 }
 

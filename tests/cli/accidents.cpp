@@ -1,6 +1,5 @@
 // A library that is loaded into the program before all others, and makes its parts crash.
 #include <dlfcn.h>
-#include <embree3/rtcore.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -9,6 +8,7 @@
 #include <string>
 
 #include "image_io/module_table.h"
+#include "oracle/rtcore.h"
 
 namespace {
 

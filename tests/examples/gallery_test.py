@@ -13,10 +13,15 @@ PYTHON = '/usr/bin/python3'  # Debian's own, which has Debian's packages
 
 
 def open3d_command(source, folder):
+    command = f'{PYTHON} {source}/examples/gallery/open3d_render.py {{scene}} {{camera}} {{out}}'
+    version = subprocess.run([PYTHON, '-c', 'import open3d; print(open3d.__version__)'], check=True,
+                             stdout=subprocess.PIPE, text=True).stdout
+    if not version.startswith('0.16.'):
+        return command
     mask = os.path.join(folder, 'open3d_mask.so')
     subprocess.run(['cc', '-shared', '-fPIC', '-o', mask, os.path.join(source, 'examples/gallery/open3d_mask.c')],
                    check=True)
-    return f'LD_PRELOAD={mask} {PYTHON} {source}/examples/gallery/open3d_render.py {{scene}} {{camera}} {{out}}'
+    return f'LD_PRELOAD={mask} {command}'
 
 
 def vtk_command(source, _):
