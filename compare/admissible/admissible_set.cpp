@@ -502,26 +502,7 @@ bool AdmissibleSet<Number>::is_cut_at_the_centre(size_t occluder) {
     };
     for (size_t i = 0; i + 1 < near.size(); ++i)
         for (size_t j = 0; j + 1 < far.size(); ++j)
-            if (do_diagonals_pass_the_centre(pieces(i, j))) return true;
-    return false;
-}
-
-/// Does a diagonal of one of the polygons lie within eps of the centre, or on another side of it than in
-/// another of them?
-template <class Number>
-bool AdmissibleSet<Number>::do_diagonals_pass_the_centre(
-    const std::vector<std::vector<Vector3<Number>>>& polygons) {
-    const Number h(half_side_px_);
-    std::vector<int> sides;  // of the centre, by diagonal
-    for (const auto& polygon : polygons) {
-        std::vector<int> here;
-        for (const auto& f : diagonals_of(ray_, polygon)) {
-            if (sign(h * (magnitude(f.a) + magnitude(f.b)) - magnitude(f.c)) >= 0) return true;
-            here.push_back(sign(f.c));
-        }
-        if (&polygon != &polygons.front() && here != sides) return true;
-        sides = here;
-    }
+            if (do_diagonals_pass(ray_, Number(half_side_px_), pieces(i, j))) return true;
     return false;
 }
 

@@ -133,7 +133,6 @@ class AdmissibleSet {
     std::optional<std::vector<size_t>> covered_by(std::optional<size_t> seen, const Occludes& occludes);
     bool holds_centre(size_t occluder, std::optional<size_t> seen);
     bool is_cut_at_the_centre(size_t occluder);
-    bool do_diagonals_pass_the_centre(const std::vector<std::vector<Vector3<Number>>>& polygons);
     template <class Occludes>
     bool leaves_bare(std::optional<size_t> seen, const Occludes& occludes);
     template <class Occludes>

@@ -81,4 +81,22 @@ std::vector<Affine<Number>> diagonals_of(const ViewRay<Number>& ray, const Polyg
     return diagonals;
 }
 
+/// Does a diagonal of one of the polygons lie within half_side_px of the ray's pixel centre, or on another
+/// side of it than in another of them?
+template <class Number>
+bool do_diagonals_pass(const ViewRay<Number>& ray, const Number& half_side_px,
+                       const std::vector<PolygonWorld<Number>>& polygons) {
+    std::vector<int> sides;  // of the centre, by diagonal
+    for (const auto& polygon : polygons) {
+        std::vector<int> here;
+        for (const auto& f : diagonals_of(ray, polygon)) {
+            if (sign(half_side_px * (magnitude(f.a) + magnitude(f.b)) - magnitude(f.c)) >= 0) return true;
+            here.push_back(sign(f.c));
+        }
+        if (&polygon != &polygons.front() && here != sides) return true;
+        sides = here;
+    }
+    return false;
+}
+
 }  // namespace zproof
