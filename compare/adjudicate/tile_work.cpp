@@ -147,10 +147,12 @@ double TileWork::farthest_depth(const PixelQuery& query) {
     for (const Neighbour& n : around_.neighbours)  // behind which something may hide it
         if (n.least_inverse_depth > inverse_depths.front()) inverse_depths.push_back(n.least_inverse_depth);
     std::ranges::sort(inverse_depths);
-    const auto here = std::ranges::find_if(inverse_depths, [&](double inverse_depth) {
-        return may_lie_at(inverse_depth, around_, query.answer, coplanar_);
-    });
-    if (here == inverse_depths.begin() || here == inverse_depths.end()) return unlimited;
+    const auto is_hidden = [&](double inverse_depth) {
+        return !may_lie_at(inverse_depth, around_, query.answer, coplanar_);
+    };
+    if (!is_hidden(inverse_depths.front())) return unlimited;
+    const auto here = std::ranges::partition_point(inverse_depths, is_hidden);
+    if (here == inverse_depths.end()) return unlimited;
     return setting_.view.camera.projection == Projection::perspective ? 1 / *here : -*here;
 }
 

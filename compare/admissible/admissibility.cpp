@@ -83,14 +83,16 @@ bool may_lie_at(double inverse_depth, const Neighbourhood& around, PrimitiveId a
     Neighbourhood there = around;
     there.neighbours[*index].greatest_inverse_depth = inverse_depth;
     const auto is_held = [&]<class Number>(AdmissibleSet<Number> set) {
-        return set.holds(*index, {DepthRule::bounded, set.edge_rule()}) || set.holds(*index, by_crack);
+        try {
+            return set.holds(*index, {DepthRule::bounded, set.edge_rule()}) || set.holds(*index, by_crack);
+        } catch (const TooMuchWork&) {
+            return true;
+        }
     };
     try {
         return is_held(AdmissibleSet<Interval>(there, coplanar));
     } catch (const UndecidedSign&) {
         return is_held(AdmissibleSet<LazyRational>(there, coplanar));
-    } catch (const TooMuchWork&) {
-        return true;
     }
 }
 

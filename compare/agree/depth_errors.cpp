@@ -43,10 +43,12 @@ void find_on_plane(const TriangleDepth& triangle, int x, int y, int count, const
 void find_depth_errors(const TriangleDepth& triangle, int x, int y, std::size_t count, const float* depths,
                        double* errors, double* rooms) {
     const std::size_t rounded_up = (count + errors_together - 1) / errors_together * errors_together;
-    if (triangle.has_plane())
+    if (triangle.has_plane()) {
         widest<find_on_plane>(triangle, x, y, int(rounded_up), depths, errors, rooms);
-    else
-        std::fill_n(errors, count, undecided_error), std::fill_n(rooms, count, undecided_error);
+        return;
+    }
+    std::fill_n(errors, count, undecided_error);
+    std::fill_n(rooms, count, undecided_error);
 }
 
 }  // namespace zproof

@@ -84,7 +84,7 @@ double sheared_mean_error(const ViewFacts& facts, const TriangleExtent& extent, 
         const glm::dvec3 side = glm::abs(v[(i + 1) % 3] - v[i]);
         range = std::max({range, side.x, side.y, side.z});
     }
-    // the axis of the ray's largest coordinate, which is at least a third of its square
+    // distances are taken along the axis of the direction's largest coordinate: at least its length / sqrt(3)
     return gammas_of(unit)[10] * weights * sum_abs(facts.direction_abs) * std::sqrt(3.0) * range /
            extent.size.plane.volume;
 }
