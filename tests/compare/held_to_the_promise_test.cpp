@@ -1,6 +1,8 @@
 /// Depths and gaps at the limit of what is promised, and a hundredth beyond it.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "frame/precision_text.h"
 #include "test_scene.h"
 
@@ -98,8 +100,22 @@ TEST(HeldToThePromise, TheCutOfNearMovesWithWhatItLeaves) {
             BoundedPrecision{.eps_px = eps_px, .depth_relative = 1e-9, .watertight = false};
         return t.class_at(0, 0);
     };
-    EXPECT_TRUE(passes(class_by(0.51)));
+    EXPECT_EQ(class_by(0.51), PixelClass::clip);
     EXPECT_EQ(class_by(0.49), PixelClass::hole);
+}
+
+/// Far may cut the edge between two corners anywhere, and so a diagonal may pass the centre of pixel (6, 4).
+TEST(HeldToThePromise, ADiagonalMayEndWhereverFarMayCutBetweenTwoCorners) {
+    TestScene t(Projection::parallel, 8, 8, {{{{-8, -8, 2}, {16, -8, 8.001}, {16, 24, 7.999}}}});
+    answer(t.reference, 6, 4, 0, 5.624823);
+    t.reference_precision = BoundedPrecision{.eps_px = 1e-6, .depth_relative = 1e-6};
+    const auto class_by = [&](double far_depth) {
+        t.view.camera.far_depth = far_depth;
+        t.candidate_precision = BoundedPrecision{.eps_px = 0.01, .depth_relative = 1e-3, .watertight = false};
+        return t.class_at(6, 4);
+    };
+    EXPECT_TRUE(passes(class_by(8)));
+    EXPECT_EQ(class_by(8.1), PixelClass::hole) << "far reaches no corner";
 }
 
 /// A needle in line with the centre of pixel (5, 1), 3 px beyond its tip: all edge functions err by more than
@@ -112,6 +128,44 @@ TEST(HeldToThePromise, RoundedEdgeFunctionsShowATriangleBeyondItsTip) {
     EXPECT_EQ(class_of_depth(t, 5, 2, 4), PixelClass::outside) << "beside the line";
     t.candidate_precision = RasterPrecision{.snap = Snap::none};
     EXPECT_EQ(class_of_depth(t, 5, 1, 4), PixelClass::outside) << "exact edge functions say so";
+}
+
+/// Two weights of minus the tolerance lie 85 of it in px beyond the tip; the pixel's centre lies 1 px there.
+TEST(HeldToThePromise, AWeightsToleranceShowsATriangleBeyondItsTip) {
+    TestScene t(Projection::parallel, 8, 4, {{{{-40, 1.4, 4}, {2.5, 1.5, 4}, {-40, 1.6, 4}}}});
+    const auto class_by = [&](double tolerance) {
+        t.candidate_precision =
+            RayPrecision{.arithmetic = Arithmetic::float64, .barycentric_tolerance = tolerance};
+        return class_of_depth(t, 3, 1, 4);
+    };
+    EXPECT_EQ(class_by(1.01 / 85), PixelClass::edge);
+    EXPECT_EQ(class_by(0.99 / 85), PixelClass::outside);
+}
+
+TriangleBounds bounds_by(const TestScene& t, const RayPrecision& precision) {
+    return ViewBounds(t.view, precision).of(corners_of(t.scene, 0));
+}
+
+/// Corners (0, 0, 4), (8, 0, 4) and (0, 4, 4): their coordinates add up to 4, 12 and 8, those of directions
+/// to 4 + 2 + 1 at most. The volume is 4 x 32, and no side is longer than 8 along an axis.
+TEST(HeldToThePromise, WoopsDistanceErrsAsItsWeightsDo) {
+    const TestScene t(Projection::perspective, 4, 2, {{{{0, 0, 4}, {2, 0, 4}, {0, 1, 4}}}});
+    const double added = bounds_by(t, {.test = RayTest::woop}).depth_factor -
+                         bounds_by(t, {.test = RayTest::pluecker}).depth_factor;
+    EXPECT_NEAR(added / gamma(10, unit_roundoff_float32),
+                2 * (4 * 12 + 12 * 8 + 8 * 4) * 7 * std::sqrt(3.0) * 8 / 128, 1e-6);
+}
+
+/// Each corner may move by half of what the triangle is high: nothing is left of it.
+TEST(HeldToThePromise, CornersThatMayMoveTogetherLeaveThePlaneUnknown) {
+    const TestScene t(Projection::perspective, 4, 2, {{{{0, 0, 4}, {2, 0, 4}, {0, 1, 4}}}});
+    const auto factor_by = [&](double world_absolute) {
+        return bounds_by(t, {.arithmetic = Arithmetic::float64, .world_absolute = world_absolute})
+            .depth_factor;
+    };
+    EXPECT_GT(factor_by(0.04), factor_by(0));
+    EXPECT_LT(factor_by(0.04), 1e-6);
+    EXPECT_EQ(factor_by(2), unlimited);
 }
 
 }  // namespace
