@@ -170,7 +170,7 @@ class WeightErrors {
         const auto& [p, q, r] = corners;
         const double ahead = (p.x - q.x) * (r.y - p.y), across = (p.y - q.y) * (r.x - p.x);
         const double moved = 2 * drift_ * (length(edge_[0]) + length(edge_[2])) + 8 * drift_ * drift_;
-        least_area_ = std::abs(ahead - across) - moved;
+        least_area_ = form.may_vanish ? 0 : std::abs(ahead - across) - moved;
         largest_area_ = std::abs(ahead - across) + moved;
         if (!form.is_rounded()) return;
         of_area_ = gamma(4, form.unit) * (std::abs(ahead) + std::abs(across) + moved);

@@ -59,6 +59,7 @@ struct WeightForm {
     ThirdWeight third_weight;
     double unit;              ///< roundoff of their arithmetic
     double area_epsilon_px2;  ///< is added to the area
+    bool may_vanish;          ///< may near or far leave a piece of no area, so close to a corner they cut?
     double width, height;     ///< the image's
 
     bool is_rounded() const {

@@ -58,6 +58,15 @@ double reach_px(const ViewFacts& facts, const TriangleExtent& extent, double lim
     return std::min(reach, limit);
 }
 
+/// May near or far cut just above a corner or just below it?
+bool is_cut_at_a_corner(const ViewFacts& facts, const TriangleExtent& extent, const TriangleBounds& bounds) {
+    const Camera& c = facts.view.camera;
+    return std::ranges::any_of(extent.size.depth, [&](double depth) {
+        return std::abs(depth - c.near_depth) <= bounds.near_slack ||
+               std::abs(depth - c.far_depth) <= bounds.far_slack;
+    });
+}
+
 double largest_z(std::span<const WindowCorner> polygon) {
     double largest = 0;
     for (const WindowCorner& corner : polygon) largest = std::max(largest, std::abs(corner.z));
@@ -246,6 +255,7 @@ void RasterBounds::add_coverage(TriangleBounds& bounds, const ViewFacts& facts, 
                                             .third_weight = precision_.third_weight,
                                             .unit = unit_of(precision_.edge_arithmetic),
                                             .area_epsilon_px2 = precision_.area_epsilon_px2,
+                                            .may_vanish = is_cut_at_a_corner(facts, extent, bounds),
                                             .width = double(facts.view.width),
                                             .height = double(facts.view.height)});
     bounds.edge_rounding_px.fill(std::max(edges, areas.edges_px));

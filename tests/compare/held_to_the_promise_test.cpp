@@ -142,7 +142,7 @@ TEST(HeldToThePromise, AWeightsToleranceShowsATriangleBeyondItsTip) {
     EXPECT_EQ(class_by(0.99 / 85), PixelClass::outside);
 }
 
-TriangleBounds bounds_by(const TestScene& t, const RayPrecision& precision) {
+TriangleBounds bounds_by(const TestScene& t, const Precision& precision) {
     return ViewBounds(t.view, precision).of(corners_of(t.scene, 0));
 }
 
@@ -150,8 +150,8 @@ TriangleBounds bounds_by(const TestScene& t, const RayPrecision& precision) {
 /// to 4 + 2 + 1 at most. The volume is 4 x 32, and no side is longer than 8 along an axis.
 TEST(HeldToThePromise, WoopsDistanceErrsAsItsWeightsDo) {
     const TestScene t(Projection::perspective, 4, 2, {{{{0, 0, 4}, {2, 0, 4}, {0, 1, 4}}}});
-    const double added = bounds_by(t, {.test = RayTest::woop}).depth_factor -
-                         bounds_by(t, {.test = RayTest::pluecker}).depth_factor;
+    const double added = bounds_by(t, RayPrecision{.test = RayTest::woop}).depth_factor -
+                         bounds_by(t, RayPrecision{.test = RayTest::pluecker}).depth_factor;
     EXPECT_NEAR(added / gamma(10, unit_roundoff_float32),
                 2 * (4 * 12 + 12 * 8 + 8 * 4) * 7 * std::sqrt(3.0) * 8 / 128, 1e-6);
 }
@@ -160,12 +160,25 @@ TEST(HeldToThePromise, WoopsDistanceErrsAsItsWeightsDo) {
 TEST(HeldToThePromise, CornersThatMayMoveTogetherLeaveThePlaneUnknown) {
     const TestScene t(Projection::perspective, 4, 2, {{{{0, 0, 4}, {2, 0, 4}, {0, 1, 4}}}});
     const auto factor_by = [&](double world_absolute) {
-        return bounds_by(t, {.arithmetic = Arithmetic::float64, .world_absolute = world_absolute})
+        return bounds_by(t, RayPrecision{.arithmetic = Arithmetic::float64, .world_absolute = world_absolute})
             .depth_factor;
     };
     EXPECT_GT(factor_by(0.04), factor_by(0));
     EXPECT_LT(factor_by(0.04), 1e-6);
     EXPECT_EQ(factor_by(2), unlimited);
+}
+
+/// Near at a corner, but for rounding, leaves a tip or none of it.
+TEST(HeldToThePromise, WeightsOfAPieceThatMayVanishTellNoDepth) {
+    const RasterPrecision precision{.snap = Snap::none, .edge_functions = EdgeFunctions::from_corner};
+    const auto depth_factor = [&](double nearest) {
+        TestScene t(Projection::perspective, 4, 2, {{{{0, 0, nearest}, {2, 0, 8}, {0, 1, 8}}}});
+        t.view.camera.near_depth = 4;
+        return bounds_by(t, precision).depth_factor;
+    };
+    EXPECT_EQ(depth_factor(4), unlimited);
+    EXPECT_LT(depth_factor(4 + 1e-4), 1e-5);
+    EXPECT_LT(depth_factor(4 - 1e-1), 1e-5) << "what is cut off has an area";
 }
 
 }  // namespace
