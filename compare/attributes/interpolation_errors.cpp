@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/bounds/ray_bounds.h"
 #include "compare/bounds/roundings.h"
 #include "compare/bounds/window_triangle.h"
 
@@ -83,8 +84,8 @@ double weights_error(const RayPrecision& precision, const Surface& s) {
                 dot(absolute_cross(e1, v[0]) + absolute_cross(e2, v[0]) + absolute_cross(e1, e2), direction);
             return 2 * gamma(10, unit) * sum;
         case RayTest::woop:
-            for (std::size_t i = 0; i < 3; ++i) sum += 2 * sum_abs_of(v[i]) * sum_abs_of(v[(i + 1) % 3]);
-            return gamma(10, unit) * sum * sum_abs_of(direction);
+            return sheared_weights_error({sum_abs_of(v[0]), sum_abs_of(v[1]), sum_abs_of(v[2])},
+                                         sum_abs_of(direction), unit);
     }
     return unlimited;
 }

@@ -77,19 +77,23 @@ double volume_moved_by(double error, const ViewFacts& facts, const TriangleExten
 double sheared_mean_error(const ViewFacts& facts, const TriangleExtent& extent, double unit) {
     const auto& v = extent.v_world;
     std::array<double, 3> size;
-    double weights = 0, range = 0;
-    for (std::size_t i = 0; i < 3; ++i) size[i] = sum_abs(glm::abs(v[i]) + facts.origin_abs);
+    double range = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        weights += 2 * size[i] * size[(i + 1) % 3];
+        size[i] = sum_abs(glm::abs(v[i]) + facts.origin_abs);
         const glm::dvec3 side = glm::abs(v[(i + 1) % 3] - v[i]);
         range = std::max({range, side.x, side.y, side.z});
     }
     // distances are taken along the axis of the direction's largest coordinate: at least its length / sqrt(3)
-    return gammas_of(unit)[10] * weights * sum_abs(facts.direction_abs) * std::sqrt(3.0) * range /
+    return sheared_weights_error(size, sum_abs(facts.direction_abs), unit) * std::sqrt(3.0) * range /
            extent.size.plane.volume;
 }
 
 }  // namespace
+
+double sheared_weights_error(const std::array<double, 3>& corners, double direction, double unit) {
+    const auto& [a, b, c] = corners;
+    return gammas_of(unit)[10] * 2 * (a * b + b * c + c * a) * direction;
+}
 
 RayBounds::RayBounds(const ViewFacts& facts, const RayPrecision& precision)
     : precision_(precision),

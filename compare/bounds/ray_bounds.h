@@ -1,6 +1,7 @@
 /// The bounds of a ray caster (docs/bounds.md, "A ray caster").
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "compare/bounds/aim.h"
@@ -8,6 +9,10 @@
 #include "frame/precision.h"
 
 namespace zproof {
+
+/// Woop: the absolute errors of the three weights, added up. Sizes are sums of absolute coordinates: of the
+/// corners from the ray's origin, and of its direction.
+double sheared_weights_error(const std::array<double, 3>& corners, double direction, double unit);
 
 class RayBounds {
   public:
