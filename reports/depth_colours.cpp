@@ -80,9 +80,9 @@ DepthColours::DepthColours(const DepthRange& range) : range_(range) {
 
 /// `step` is the one that the bucket's least depth, `bits`, is in.
 auto DepthColours::bucket_from(std::uint32_t bits, std::uint32_t step) const -> Bucket {
-    const std::uint32_t change = steps_[step + 1].bits, width = 1u << shift_;
-    const bool has_one = change - bits >= width;
-    const bool has_two = !has_one && steps_[step + 2].bits - bits >= width;
+    const std::uint32_t change = steps_[step + 1].bits, bucket_width = 1u << shift_;
+    const bool has_one = change - bits >= bucket_width;
+    const bool has_two = !has_one && steps_[step + 2].bits - bits >= bucket_width;
     const std::uint32_t before = word_of(steps_[step].colour), after = word_of(steps_[step + 1].colour);
     if (has_one) return {before, before, change, step};
     return has_two ? Bucket{before, after, change, step} : Bucket{no_colour, no_colour, change, step};

@@ -32,9 +32,9 @@ bool set_bins(const ComparedRow& row, RowCounts::Most& candidate, RowCounts::Mos
             const bool is_counted = is_decided & (row.candidate[i] != PrimitiveId::none);
             undecided |= !is_decided;
             pairs[i] = is_counted ? bin_of(a) * int(RowCounts::stride) + bin_of(b) : uncounted;
-            most[lane] = is_counted & (a > most[lane]) ? a : most[lane];
+            most[lane] = (is_counted & (a > most[lane])) ? a : most[lane];
             most_of_reference[lane] =
-                is_counted & (b > most_of_reference[lane]) ? b : most_of_reference[lane];
+                (is_counted & (b > most_of_reference[lane])) ? b : most_of_reference[lane];
         }
     candidate = most;
     reference = most_of_reference;

@@ -52,7 +52,8 @@ Work work_for(const Scene& scene, const View& view) {
 std::string in_words(const Work& work, const View& view) {
     if (work.of_reading() > work.of_tracing())
         return std::to_string(work.triangles) + " triangles are many to read";
-    return "each ray meets " + std::to_string(work.boxes_met / (std::uint64_t(view.width) * view.height)) +
+    return "each ray meets " +
+           std::to_string(work.boxes_met / (std::uint64_t(view.width) * std::uint64_t(view.height))) +
            " boxes of triangles";
 }
 

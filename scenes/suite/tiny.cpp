@@ -9,15 +9,15 @@ namespace zproof::suite {
 
 namespace {
 
-constexpr double half_height = 0.5;
+constexpr double window_half_height = 0.5;
 
 /// The length of one pixel of a 1080-row image at camera depth 1.
-constexpr double pixel = 2 * half_height / 1080;
+constexpr double pixel = 2 * window_half_height / 1080;
 
 /// A point of the frustum of an eye at the origin that looks down -z.
 glm::dvec3 in_frustum(Random& random, ImageSize size, double depth) {
-    const double u = random.uniform(-half_height, half_height) * size.aspect();
-    const double v = random.uniform(-half_height, half_height);
+    const double u = random.uniform(-window_half_height, window_half_height) * size.aspect();
+    const double v = random.uniform(-window_half_height, window_half_height);
     return {u * depth, v * depth, -depth};
 }
 
@@ -100,10 +100,10 @@ Loaded slivers(ImageSize size) {
     for (int i = 0; i < 20'000; ++i) add_needle(mesh, random, size);
     return mesh.finish(
         {perspective_view("ahead", size, {},
-                          {.half_height = half_height, .near_depth = 0.5, .far_depth = 100}),
+                          {.half_height = window_half_height, .near_depth = 0.5, .far_depth = 100}),
          perspective_view("rolled", size,
                           {.eye_world = {1, 2, 3}, .target_world = {0, 0, -40}, .up_world = {0.3, 1, 0}},
-                          {.half_height = half_height, .near_depth = 0.5, .far_depth = 100})});
+                          {.half_height = window_half_height, .near_depth = 0.5, .far_depth = 100})});
 }
 
 Loaded degenerate(ImageSize size) {
@@ -120,8 +120,8 @@ Loaded degenerate(ImageSize size) {
             add_flawed(mesh, random, static_cast<Flaw>(flaw), in_frustum(random, size, depth));
         }
     }
-    return mesh.finish({perspective_view("ahead", size, {},
-                                         {.half_height = half_height, .near_depth = 0.5, .far_depth = 100})});
+    return mesh.finish({perspective_view(
+        "ahead", size, {}, {.half_height = window_half_height, .near_depth = 0.5, .far_depth = 100})});
 }
 
 }  // namespace zproof::suite
