@@ -20,12 +20,6 @@ double most_eps_px(const TriangleBounds& bounds) {
            bounds.eps_per_inverse_depth * CornerInverseDepth(bounds.nearest, bounds.farthest).highest;
 }
 
-/// May near or far cut the triangle?
-bool may_be_cut(const Camera& camera, const TriangleBounds& bounds) {
-    return bounds.nearest <= camera.near_depth + bounds.near_slack ||
-           bounds.farthest >= camera.far_depth - bounds.far_slack;
-}
-
 /// Marks the pixels at which a triangle's edges, and its cuts by near and far, pass nearer than the reference
 /// may be off, where the candidate may be off by less. Its functionals are those of pixel indices.
 class CoarseOutline {
@@ -167,7 +161,7 @@ Plane<std::uint8_t> find_unproven_pixels(const FramePair& frames) {
         if (box.is_empty() || !(is_shown[i] || holds_a_centre(box))) return;
         const TriangleBounds bounds = frames.reference.bounds.of(p_world);
         if (!(most_eps_px(bounds) <= fine_px) || bounds.may_be_missing ||
-            may_be_cut(frames.view.camera, bounds))
+            bounds.may_be_clipped(frames.view.camera))
             CoarseOutline(frames, std::uint32_t(i), box, is_shown[i] != 0).mark(is_unproven);
     });
     return is_unproven;

@@ -35,11 +35,6 @@ std::optional<TriangleImage<Number>> image_of_neighbour(const ViewRay<Number>& r
         return image_of(ray, corners<Number>(neighbour.p_world));
 }
 
-/// May the near or far plane cut the triangle? Corners are clamped to both planes.
-bool may_be_clipped(const Camera& camera, const Neighbour& n) {
-    return n.nearest <= camera.near_depth + n.near_slack || n.farthest >= camera.far_depth - n.far_slack;
-}
-
 /// How far beyond its edges a triangle counts as inside at the centre, by its weights' tolerance.
 double tolerated_px(const Neighbour& n) {
     double largest = 0;
@@ -234,7 +229,7 @@ auto AdmissibleSet<Number>::edge_on_pieces(size_t index) -> std::vector<Piece> {
     std::vector<Piece> pieces;
     for (const SegmentImage<Number>& edge : edges)
         push_clipped(pieces, inside(edge), edge.inverse_depth, index);
-    if (may_be_clipped(around_.view.camera, around_.neighbours[index])) push_near_cut(pieces, edges, index);
+    if (around_.neighbours[index].may_be_clipped(around_.view.camera)) push_near_cut(pieces, edges, index);
     return pieces;
 }
 
@@ -380,7 +375,7 @@ bool AdmissibleSet<Number>::is_in_front(size_t occluder, size_t seen, DepthRule 
 template <class Number>
 void AdmissibleSet<Number>::push_planes(HalfPlanes<Number>& half_planes, size_t occluder) {
     const Neighbour& n = around_.neighbours[occluder];
-    if (!may_be_clipped(around_.view.camera, n)) return;
+    if (!n.may_be_clipped(around_.view.camera)) return;
     for (const ClipSide side : {ClipSide::near, ClipSide::far})
         if (auto line = plane(side, drawn(occluder).image->inverse_depth, n, Slack::require))
             half_planes.push_back(*line);
@@ -483,7 +478,7 @@ template <class Number>
 bool AdmissibleSet<Number>::is_cut_at_the_centre(size_t occluder) {
     const Neighbour& n = around_.neighbours[occluder];
     const Camera& c = around_.view.camera;
-    if (!around_.cuts_triangles || !may_be_clipped(c, n)) return false;
+    if (!around_.cuts_triangles || !n.may_be_clipped(c)) return false;
     if (!std::isfinite(n.near_slack + n.far_slack)) return true;
     const CutTriangle<Number> triangle(c, corners<Number>(n.p_world));
     const auto near = triangle.steps(c.near_depth - n.near_slack, c.near_depth + n.near_slack);

@@ -90,17 +90,10 @@ Neighbour seen_at(const ViewRay<double>& ray, const BoundedTriangle& triangle) {
 }
 
 void set_bounds(Neighbour& n, const BoundedTriangle& triangle, Projection projection) {
-    const TriangleBounds& of_triangle = triangle.bounds;
+    static_cast<TriangleLimits&>(n) = triangle.bounds;
     std::optional<PlaneHere> plane;
     if (n.image) plane = PlaneHere{n.image->inverse_depth.c, n.gradient, n.plane_error};
     n.bounds = bounds_at(triangle, plane);
-    n.may_be_missing = of_triangle.may_be_missing;
-    n.near_slack = of_triangle.near_slack;
-    n.far_slack = of_triangle.far_slack;
-    n.nearest = of_triangle.nearest;
-    n.farthest = of_triangle.farthest;
-    n.edge_rounding_px = of_triangle.edge_rounding_px;
-    n.weight_tolerance = of_triangle.weight_tolerance;
     const InverseDepthRange range = inverse_depth_range(triangle, plane, n.bounds, projection);
     n.least_inverse_depth = range.least;
     n.greatest_inverse_depth = range.greatest;

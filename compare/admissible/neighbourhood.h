@@ -22,15 +22,10 @@ struct SearchPixel {
     std::vector<std::uint32_t> triangles;  ///< ascending
 };
 
-struct Neighbour {
+struct Neighbour : TriangleLimits {
     std::uint32_t triangle = 0;
     CornersWorld p_world;
     LocalBounds bounds;
-    bool may_be_missing = false;               ///< see TriangleBounds: it hides nothing for certain
-    double near_slack = 0, far_slack = 0;      ///< see TriangleBounds
-    double nearest = 0, farthest = 0;          ///< see TriangleBounds
-    std::array<double, 3> edge_rounding_px{};  ///< see TriangleBounds
-    double weight_tolerance = 0;               ///< see TriangleBounds
     double gradient = 0;          ///< |d/dx| + |d/dy| of inverse depth, per px; 0 for an edge-on triangle
     bool is_plane_known = false;  ///< or does double precision not tell it from edge-on?
     bool is_trusted = false;      ///< the same, and is the sign of its image's edges certain?
@@ -43,10 +38,6 @@ struct Neighbour {
     /// What a faultless renderer may hold for its inverse depth at the pixel, all bounds included.
     double least_inverse_depth = 0, greatest_inverse_depth = 0;
 
-    /// May it be shown where no displacement brings it?
-    bool may_be_shown_by_rounding() const {
-        return std::ranges::max(edge_rounding_px) > 0 || weight_tolerance > 0;
-    }
     CoplanarCache::Triangle of_scene() const { return {triangle, p_world}; }
 };
 

@@ -35,12 +35,12 @@ class ViewBounds {
     CornerDepths corner_depths(const TriangleExtent& extent) const;
     /// Is every depth a weighted mean of the corners'? A ray and a plane equation meet the plane beyond them.
     bool keeps_to_corners() const;
-    /// Do triangles that share an edge move it alike?
     /// What inverse depth may have been compared where this depth is shown; what decoding z costs included.
     /// Everything where another depth is compared than is shown.
     InverseDepthRange compared_at(double depth) const;
     /// Can a depth buffer hold that? It holds z in [0, 1].
     bool can_be_stored(double depth) const;
+    /// Do triangles that share an edge move it alike?
     bool is_watertight() const;
     /// Does it make several triangles of one that near or far clips? A ray caster clips none.
     bool cuts_triangles() const;

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "compare/bounds/depth_terms.h"
+#include "scenes/camera.h"
 
 namespace zproof {
 
@@ -19,22 +20,35 @@ struct LocalBounds {
     double inverse_depth_bias = 0;   ///< how far from the truth that error is centred: z that is cut off
 };
 
+/// The bounds of one triangle that are the same wherever it is seen.
+struct TriangleLimits {
+    double near_slack = 0, far_slack = 0;  ///< clip: the planes' places may be off by this depth, scene units
+    double nearest = 0, farthest = 0;      ///< camera depths of the corners, clamped to near and far
+    bool may_be_missing = false;           ///< the renderer need not draw it: it hides nothing for certain
+    /// Of eps, what each edge function is off by where it is rounded by itself, px; 0 where nothing says so.
+    std::array<double, 3> edge_rounding_px{};
+    double weight_tolerance = 0;  ///< rays: a weight down to minus this counts as inside
+
+    /// May the near or far plane cut it?
+    bool may_be_clipped(const Camera& camera) const {
+        return nearest <= camera.near_depth + near_slack || farthest >= camera.far_depth - far_slack;
+    }
+    /// May it be shown where no displacement brings it?
+    bool may_be_shown_by_rounding() const {
+        return std::ranges::max(edge_rounding_px) > 0 || weight_tolerance > 0;
+    }
+};
+
 /// The bounds of one triangle, as functions of its inverse depth (1/depth; perspective) at the pixel.
-struct TriangleBounds {
+struct TriangleBounds : TriangleLimits {
     double eps_base_px = 0, eps_per_inverse_depth = 0;  ///< eps = base + per_inverse_depth * inverse depth
     double depth_eps_base_px = 0, depth_eps_per_inverse_depth = 0;  ///< the same for depth
     double depth_factor = 0;  ///< sum of the relative errors of depth's factors
     double depth_share = 0;   ///< a further relative error of depth, as a share of itself
     double depth_absolute = 0;
-    double inverse_depth_error = 0;        ///< z-buffer: of inverse depth, anywhere on the triangle
-    double inverse_depth_bias = 0;         ///< z-buffer: what z that is cut off adds on average
-    double plane_offset = 0;               ///< ray: error of (normal . direction) / volume, in inverse depth
-    double near_slack = 0, far_slack = 0;  ///< clip: the planes' places may be off by this depth, scene units
-    double nearest = 0, farthest = 0;      ///< camera depths of the corners, clamped to near and far
-    bool may_be_missing = false;           ///< the renderer need not draw it
-    /// Of eps, what each edge function is off by where it is rounded by itself, px; 0 where nothing says so.
-    std::array<double, 3> edge_rounding_px{};
-    double weight_tolerance = 0;  ///< rays: a weight down to minus this counts as inside
+    double inverse_depth_error = 0;  ///< z-buffer: of inverse depth, anywhere on the triangle
+    double inverse_depth_bias = 0;   ///< z-buffer: what z that is cut off adds on average
+    double plane_offset = 0;         ///< ray: error of (normal . direction) / volume, in inverse depth
 
     /// The bounds at a place where inverse depth is `inverse_depth` and changes by `gradient` (|d/dx| +
     /// |d/dy|) per pixel.
