@@ -9,10 +9,10 @@
 
 #include "bench/lazy.h"
 #include "bench/suites.h"
+#include "filters/methods/catalogue.h"
 #include "tests/support/footprints.h"
 #include "tests/support/test_folder.h"
 #include "tests/support/worked_setup.h"
-#include "texture/catalogue.h"
 
 namespace zproof::bench {
 namespace {

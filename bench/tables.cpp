@@ -8,7 +8,7 @@
 
 #include "bench/lazy.h"
 #include "bench/suites.h"
-#include "texture/code_sums.h"
+#include "filters/stored/code_sums.h"
 
 namespace zproof::bench {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "bench/lazy.h"
 #include "bench/suites.h"
-#include "oracle/area_integral.h"
+#include "filters/area/area_integral.h"
 
 namespace zproof::bench {
 namespace {

@@ -11,13 +11,13 @@
 
 #include "bench/scenes.h"
 #include "compare/judge.h"
+#include "filters/methods/catalogue.h"
+#include "filters/stored/code_sums.h"
 #include "oracle/embree.h"
 #include "rasterizer/pipeline.h"
 #include "rasterizer/rasterizer.h"
 #include "tests/support/footprints.h"
 #include "tests/support/worked_setup.h"
-#include "texture/catalogue.h"
-#include "texture/code_sums.h"
 
 namespace zproof::bench {
 

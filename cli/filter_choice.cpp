@@ -10,7 +10,7 @@
 #include "cli/given_levels.h"
 #include "cli/nearest_word.h"
 #include "cli/usage_error.h"
-#include "texture/catalogue.h"
+#include "filters/methods/catalogue.h"
 
 namespace zproof {
 namespace {

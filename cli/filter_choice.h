@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "study/filters/other_samplers.h"
+#include "filters/study/other_samplers.h"
 
 namespace zproof {
 

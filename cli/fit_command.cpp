@@ -15,10 +15,10 @@
 #include "frame/printable.h"
 #include "frame/whole_file.h"
 #include "image_io/image_io.h"
-#include "reports/document/folder.h"
-#include "reports/document/terminal.h"
 #include "reports/fit/fit_report.h"
 #include "reports/output_folder.h"
+#include "reports/pages/folder.h"
+#include "reports/pages/terminal.h"
 #include "scenes/judged_ranges.h"
 
 namespace zproof {

@@ -10,7 +10,7 @@
 #include "cli/usage_error.h"
 #include "frame/printable.h"
 #include "frame/whole_file.h"
-#include "reports/document/folder.h"
+#include "reports/pages/folder.h"
 #include "reports/report_error.h"
 
 namespace zproof {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/document/document.h"
+#include "reports/pages/document.h"
 #include "reports/results.h"
 #include "reports/text_sink.h"
 

@@ -3,7 +3,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(rooms math frame image_io scenes texture rasterizer oracle compare measure study reports api)
+set(rooms math frame image_io scenes texture rasterizer oracle compare measure reports filters lessons api)
 set(zproof_targets zproof_strict)
 set(zproof_cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/zproof)
 install(FILES ${PROJECT_SOURCE_DIR}/zproof/zproof.h ${PROJECT_SOURCE_DIR}/zproof/filters.h

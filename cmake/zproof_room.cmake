@@ -24,15 +24,25 @@ function(zproof_build_quickly target)
     endif()
 endfunction()
 
-# zproof_room(name SOURCES a.cpp ... USES rooms-and-libraries ... [OPTIMIZE -O1]): one static library per folder,
-# zproof::name. A room that only shows and reads text is optimized less, for a quick build.
+# zproof_room(name SOURCES a.cpp ... USES rooms-and-libraries ... [OPTIMIZE -O1] [BY_FOLDER]): one static library per
+# folder, zproof::name. A room that only shows and reads text is optimized less, for a quick build. BY_FOLDER: sources that
+# are compiled as one lie in one folder of the room, since its folders use names for different things.
 function(zproof_room name)
-    cmake_parse_arguments(ROOM "" OPTIMIZE "SOURCES;USES" ${ARGN})
+    cmake_parse_arguments(ROOM BY_FOLDER OPTIMIZE "SOURCES;USES" ${ARGN})
     add_library(zproof_${name} STATIC ${ROOM_SOURCES})
     add_library(zproof::${name} ALIAS zproof_${name})
     set_target_properties(zproof_${name} PROPERTIES EXPORT_NAME ${name})
     target_link_libraries(zproof_${name} PUBLIC zproof_strict ${ROOM_USES})
     zproof_build_quickly(zproof_${name} OPTIMIZE ${ROOM_OPTIMIZE})
+    if(ROOM_BY_FOLDER)
+        set_target_properties(zproof_${name} PROPERTIES UNITY_BUILD_MODE GROUP)
+        foreach(source IN LISTS ROOM_SOURCES)
+            get_filename_component(folder ${source} DIRECTORY)
+            math(EXPR count_${folder} "${count_${folder}} + 1")
+            math(EXPR batch "${count_${folder}} / 8")
+            set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${batch})
+        endforeach()
+    endif()
 endfunction()
 
 # zproof_test(room SOURCES a_test.cpp ... USES ... [SLOW filter]): one test program per room; every TEST is one ctest entry,

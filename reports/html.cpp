@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "reports/class_colour.h"
-#include "reports/document/page.h"
 #include "reports/extent.h"
 #include "reports/html_parts.h"
 #include "reports/page_parts.h"
 #include "reports/page_scripts.h"
+#include "reports/pages/page.h"
 #include "reports/wording.h"
 
 namespace zproof {

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "reports/document/document.h"
 #include "reports/page_text.h"
+#include "reports/pages/document.h"
 #include "reports/results.h"
 
 namespace zproof {

@@ -278,7 +278,7 @@ Json root_object(const Results& results, Json views) {
             {"views", std::move(views)}};
 }
 
-std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace); }
+std::string text_of(const Json& value) { return value.dump(1, ' ', false, Json::error_handler_t::replace); }
 
 /// A view as an element of the root's last array: its lines stand two steps further in. A line break stands
 /// between tokens only.

@@ -11,7 +11,7 @@
 
 #include "compare/diagnosis/diagnosis.h"
 #include "compare/id_agreement.h"
-#include "compare/metrics/picture_difference.h"
+#include "compare/picture_difference.h"
 #include "compare/verdict.h"
 #include "compare/waivers/coverage.h"
 

@@ -29,17 +29,17 @@ const std::map<std::string, Names> may_include{
     {"oracle", {"math", "frame", "image_io", "scenes", "texture"}},
     {"compare", {"math", "frame", "scenes"}},             // judges evidence; never meets a renderer
     {"measure", {"math", "frame", "scenes", "compare"}},  // is handed a renderer as a function; knows none
-    {"study",
-     {"math", "frame", "scenes", "texture", "rasterizer", "oracle",
-      "compare"}},  // holds a method to its truth
-    {"reports",
-     {"math", "compare", "measure", "study", "frame", "image_io"}},  // shows results; never computes one
+    {"reports", {"math", "compare", "measure", "frame", "image_io"}},  // shows results; never computes one
+    {"filters",
+     {"math", "frame", "image_io", "scenes", "texture", "rasterizer", "oracle", "compare",
+      "reports"}},  // holds a method to its truth
+    {"lessons", {"math", "frame", "scenes", "rasterizer", "oracle", "compare", "reports"}},
     {"zproof",
-     {"math", "frame", "image_io", "scenes", "rasterizer", "oracle", "compare",
-      "reports"}},  // the public interface
+     {"math", "frame", "image_io", "scenes", "rasterizer", "oracle", "compare", "reports",
+      "filters"}},  // the public interface
     {"cli",
-     {"math", "frame", "image_io", "scenes", "texture", "rasterizer", "oracle", "compare", "measure", "study",
-      "reports"}},
+     {"math", "frame", "image_io", "scenes", "texture", "rasterizer", "oracle", "compare", "measure",
+      "reports", "filters", "lessons"}},
 };
 
 /// The judge's own rooms: what each may look into beside itself.
@@ -52,7 +52,6 @@ const std::map<std::string, Names> may_include_in_compare{
     {"diagnosis", {"bounds", "admissible", "adjudicate"}},
     {"explanation", {"bounds", "admissible", "agree", "adjudicate"}},
     {"labels", {"bounds", "admissible", "adjudicate"}},
-    {"metrics", {}},
     {"waivers", {}},
 };
 
@@ -71,9 +70,9 @@ const std::map<std::string, Names> may_include_from_compare{
 const std::map<std::string, Names> spoken_to_in{
     {"embree", {"oracle"}},      {"EGL/", {"oracle"}},
     {"GL/", {"oracle"}},         {"OpenImageIO/", {"image_io"}},
-    {"tiny_gltf.h", {"scenes"}}, {"nlohmann/", {"frame", "scenes", "reports"}},
+    {"tiny_gltf.h", {"scenes"}}, {"nlohmann/", {"frame", "scenes", "reports", "filters"}},
     {"CLI/", {"cli"}},           {"nettle/", {"math"}},
-    {"toml++/", {"cli"}},        {"Eigen/", {"study"}},
+    {"toml++/", {"cli"}},        {"Eigen/", {"lessons"}},
     {"iostream", {"cli"}},       {"cstdio", {}},
     {"isa-l/", {"reports"}},     {"OpenEXR/", {}},
     {"dlfcn.h", {"image_io"}},
@@ -331,13 +330,13 @@ TEST(HousePlan, APlantedIncludeInTheJudgesRoomsIsNamed) {
     EXPECT_EQ(faults("compare/diagnosis/a.h", judge), 0u);
     EXPECT_EQ(faults("compare/adjudicate/a.h", judge), 1u);
     EXPECT_EQ(faults("compare/admissible/a.h", "compare/pixel_class.h"), 0u);
-    EXPECT_EQ(faults("compare/metrics/a.h", "compare/conformance.h"), 1u);
+    EXPECT_EQ(faults("compare/waivers/a.h", "compare/id_agreement.h"), 1u);
     EXPECT_EQ(faults("compare/judge.cpp", adjudicator), 0u);
     EXPECT_EQ(faults("compare/judge.h", adjudicator), 1u);
     EXPECT_EQ(faults("compare/verdict.h", "compare/bounds/depth_bound.h"), 0u);
     EXPECT_EQ(faults("compare/verdict.h", adjudicator), 1u);
-    EXPECT_EQ(faults("compare/conformance.cpp", "compare/bounds/bounds.h"), 1u);
-    EXPECT_EQ(faults("compare/conformance.cpp", "compare/id_agreement.h"), 0u);
+    EXPECT_EQ(faults("compare/picture_difference.cpp", "compare/bounds/bounds.h"), 1u);
+    EXPECT_EQ(faults("compare/picture_difference.cpp", "compare/id_agreement.h"), 0u);
 }
 
 TEST(HousePlan, UnitsOfTheJudgeStandInNoCycle) {

@@ -1,7 +1,7 @@
 #include "zproof/filters.h"
 
+#include "filters/area/area_integral.h"
 #include "image_io/image_io.h"
-#include "oracle/area_integral.h"
 #include "scenes/judged_ranges.h"
 #include "zproof/data.h"
 #include "zproof/errors.h"

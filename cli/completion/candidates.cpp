@@ -7,14 +7,14 @@
 #include "cli/renderers/registry.h"
 #include "cli/report_files.h"
 #include "compare/pixel_class.h"
+#include "filters/conformance/filter_precision_presets.h"
+#include "filters/methods/catalogue.h"
+#include "filters/scenes/filter_scenes.h"
+#include "filters/study/regions.h"
 #include "frame/convention_text.h"
-#include "frame/filter_precision_presets.h"
 #include "math/processor.h"
-#include "scenes/filter_scenes.h"
 #include "scenes/suite.h"
 #include "scenes/triangle_labels.h"
-#include "study/filters/regions.h"
-#include "texture/catalogue.h"
 
 namespace zproof {
 namespace {

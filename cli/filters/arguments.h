@@ -11,10 +11,10 @@
 #include "cli/filter_choice.h"
 #include "cli/filters/pictures.h"
 #include "compare/bounds/pixel_coord.h"
-#include "frame/filter_precision.h"
-#include "oracle/area_integral.h"
-#include "reports/filters/crops.h"
-#include "reports/filters/table_cells.h"
+#include "filters/area/area_integral.h"
+#include "filters/conformance/filter_precision.h"
+#include "filters/report/crops.h"
+#include "filters/report/table_cells.h"
 
 namespace CLI {
 class App;

@@ -11,7 +11,7 @@
 #include "cli/threads.h"
 #include "cli/usage_error.h"
 #include "cli/work_progress.h"
-#include "oracle/admissible_surfaces.h"
+#include "filters/reference/admissible_surfaces.h"
 #include "oracle/convention/stored_picture.h"
 
 namespace zproof {

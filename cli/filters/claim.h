@@ -6,7 +6,7 @@
 
 #include "cli/filter_choice.h"
 #include "cli/selftest/claimed_reference.h"
-#include "compare/permitted_interval.h"
+#include "filters/conformance/permitted_interval.h"
 
 namespace zproof {
 

@@ -10,8 +10,8 @@
 #include "cli/command_line/options.h"
 #include "cli/filters/precision_words.h"
 #include "cli/usage_error.h"
-#include "study/filters/published.h"
-#include "texture/catalogue.h"
+#include "filters/methods/catalogue.h"
+#include "filters/study/published.h"
 
 namespace zproof {
 namespace {

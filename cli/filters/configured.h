@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/filter_choice.h"
-#include "study/filters/plan.h"
+#include "filters/study/plan.h"
 
 namespace zproof {
 

@@ -8,10 +8,10 @@
 #include "cli/threads.h"
 #include "cli/version.h"
 #include "cli/work_progress.h"
+#include "filters/report/crow_page.h"
+#include "filters/study/study.h"
 #include "frame/whole_file.h"
-#include "reports/filters/crow_page.h"
 #include "reports/output_folder.h"
-#include "study/filters/study.h"
 
 namespace zproof {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "reports/filters/folder.h"
+#include "filters/report/folder.h"
 
 namespace zproof {
 

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
+#include "filters/report/evidence_planes.h"
+#include "filters/study/plan.h"
 #include "image_io/image_io.h"
-#include "reports/filters/evidence_planes.h"
-#include "study/filters/plan.h"
 
 namespace zproof {
 

@@ -6,8 +6,8 @@
 #include "cli/filters/scenes.h"
 #include "cli/threads.h"
 #include "cli/usage_error.h"
-#include "oracle/admissible_surfaces.h"
-#include "reports/filters/inspection_words.h"
+#include "filters/reference/admissible_surfaces.h"
+#include "filters/report/inspection_words.h"
 
 namespace zproof {
 namespace {

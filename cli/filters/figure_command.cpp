@@ -5,8 +5,8 @@
 #include "cli/nearest_word.h"
 #include "cli/published.h"
 #include "cli/usage_error.h"
+#include "filters/report/folder.h"
 #include "frame/printable.h"
-#include "reports/filters/folder.h"
 #include "reports/output_folder.h"
 
 namespace zproof {

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "oracle/admissible_surfaces.h"
+#include "filters/reference/admissible_surfaces.h"
 
 namespace zproof {
 

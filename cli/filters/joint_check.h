@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cli/selftest/filter_fault.h"
-#include "compare/joint_conformance.h"
+#include "filters/conformance/joint_conformance.h"
 
 namespace zproof {
 

@@ -2,10 +2,10 @@
 #include <iostream>
 
 #include "cli/commands.h"
-#include "compare/metrics/picture_metric.h"
-#include "scenes/filter_scenes.h"
-#include "study/filters/other_samplers.h"
-#include "texture/catalogue.h"
+#include "filters/methods/catalogue.h"
+#include "filters/metrics/picture_metric.h"
+#include "filters/scenes/filter_scenes.h"
+#include "filters/study/other_samplers.h"
 
 namespace zproof {
 namespace {

@@ -4,11 +4,11 @@
 #include <chrono>
 
 #include "cli/usage_error.h"
+#include "filters/report/folder.h"
 #include "frame/frame_error.h"
 #include "oracle/convention/stored_picture.h"
 #include "oracle/external.h"
 #include "oracle/oracle_error.h"
-#include "reports/filters/folder.h"
 
 namespace zproof {
 namespace {

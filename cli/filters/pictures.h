@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/filters/claim.h"
-#include "study/filters/plan.h"
+#include "filters/study/plan.h"
 
 namespace zproof {
 

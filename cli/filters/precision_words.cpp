@@ -5,7 +5,7 @@
 
 #include "cli/nearest_word.h"
 #include "cli/usage_error.h"
-#include "frame/filter_precision_presets.h"
+#include "filters/conformance/filter_precision_presets.h"
 
 namespace zproof {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "frame/filter_precision.h"
+#include "filters/conformance/filter_precision.h"
 
 namespace zproof {
 

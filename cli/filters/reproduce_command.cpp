@@ -5,9 +5,9 @@
 #include "cli/commands.h"
 #include "cli/nearest_word.h"
 #include "cli/threads.h"
-#include "reports/filters/tables.h"
+#include "filters/report/tables.h"
+#include "filters/study/published.h"
 #include "reports/wording.h"
-#include "study/filters/published.h"
 
 namespace zproof {
 namespace {

@@ -18,16 +18,16 @@
 #include "cli/usage_error.h"
 #include "cli/version.h"
 #include "cli/work_progress.h"
+#include "filters/report/folder.h"
+#include "filters/report/provenance.h"
+#include "filters/report/tables.h"
+#include "filters/study/claims.h"
+#include "filters/study/study.h"
 #include "frame/printable.h"
 #include "image_io/image_io.h"
 #include "math/sha256.h"
-#include "reports/filters/folder.h"
-#include "reports/filters/provenance.h"
-#include "reports/filters/tables.h"
 #include "reports/output_folder.h"
 #include "scenes/glb_writer.h"
-#include "study/filters/claims.h"
-#include "study/filters/study.h"
 
 namespace zproof {
 namespace {

@@ -6,7 +6,7 @@
 #include "cli/nearest_word.h"
 #include "cli/scene_selection.h"
 #include "cli/usage_error.h"
-#include "scenes/filter_scenes.h"
+#include "filters/scenes/filter_scenes.h"
 #include "scenes/judged_ranges.h"
 #include "scenes/scene_error.h"
 

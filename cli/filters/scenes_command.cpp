@@ -4,7 +4,7 @@
 #include "cli/filters/scenes.h"
 #include "cli/nearest_word.h"
 #include "cli/written_scenes.h"
-#include "scenes/filter_scenes.h"
+#include "filters/scenes/filter_scenes.h"
 #include "scenes/scene_error.h"
 
 namespace zproof {

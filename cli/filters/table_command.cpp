@@ -2,10 +2,10 @@
 
 #include "cli/commands.h"
 #include "cli/nearest_word.h"
+#include "filters/report/folder.h"
+#include "filters/report/pooled.h"
+#include "filters/report/tables.h"
 #include "frame/printable.h"
-#include "reports/filters/folder.h"
-#include "reports/filters/pooled.h"
-#include "reports/filters/tables.h"
 
 namespace zproof {
 namespace {

@@ -4,10 +4,10 @@
 
 #include "cli/arguments.h"
 #include "cli/filters/configured.h"
-#include "oracle/admissible_surfaces.h"
-#include "reports/filters/inspection_json.h"
-#include "study/filters/inspection.h"
-#include "study/filters/study.h"
+#include "filters/reference/admissible_surfaces.h"
+#include "filters/report/inspection_json.h"
+#include "filters/study/inspection.h"
+#include "filters/study/study.h"
 
 namespace zproof {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "cli/filters/pictures.h"
-#include "reports/filters/evidence_planes.h"
-#include "study/filters/plan.h"
-#include "study/filters/worst_pixels.h"
+#include "filters/report/evidence_planes.h"
+#include "filters/study/plan.h"
+#include "filters/study/worst_pixels.h"
 
 namespace zproof {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "oracle/admissible_surfaces.h"
-#include "oracle/filter_reference/filter_reference.h"
+#include "filters/reference/admissible_surfaces.h"
+#include "filters/reference/filter_reference.h"
 #include "rasterizer/texturing.h"
 
 namespace zproof::selftest {

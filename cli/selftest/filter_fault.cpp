@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "texture/catalogue.h"
+#include "filters/methods/catalogue.h"
 
 namespace zproof::selftest {
 

@@ -4,8 +4,8 @@
 #include "cli/selftest/claimed_reference.h"
 #include "cli/selftest/filter_fixture.h"
 #include "cli/selftest/score.h"
-#include "compare/rule_at_fault.h"
-#include "compare/stochastic_conformance.h"
+#include "filters/conformance/rule_at_fault.h"
+#include "filters/conformance/stochastic_conformance.h"
 
 namespace zproof::selftest {
 

@@ -2,8 +2,8 @@
 
 #include "cli/selftest/filter_fault.h"
 #include "cli/selftest/filter_variants.h"
-#include "texture/catalogue.h"
-#include "texture/lod.h"
+#include "filters/methods/catalogue.h"
+#include "filters/methods/lod.h"
 
 namespace zproof::selftest {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "oracle/admissible_surfaces.h"
+#include "filters/reference/admissible_surfaces.h"
 
 namespace zproof::selftest {
 

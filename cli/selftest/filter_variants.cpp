@@ -3,11 +3,11 @@
 #include <cmath>
 #include <utility>
 
+#include "filters/methods/tap_rule.h"
+#include "filters/stored/cardinality_table.h"
+#include "filters/stored/summed_area.h"
+#include "filters/stored/two_reads_table.h"
 #include "math/mixed.h"
-#include "texture/cardinality_table.h"
-#include "texture/methods/tap_rule.h"
-#include "texture/summed_area.h"
-#include "texture/two_reads_table.h"
 
 namespace zproof::selftest {
 

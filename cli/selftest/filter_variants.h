@@ -2,8 +2,8 @@
 #pragma once
 
 #include "cli/selftest/filter_fixture.h"
+#include "filters/stored/mip_chain.h"
 #include "rasterizer/texturing.h"
-#include "texture/mip_chain.h"
 
 namespace zproof::selftest {
 

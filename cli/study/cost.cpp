@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "cli/study/study.h"
-#include "reports/studies/cost.h"
+#include "lessons/cost/report.h"
 
 namespace zproof {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "cli/study/study.h"
 #include "cli/usage_error.h"
-#include "reports/studies/depth.h"
+#include "lessons/depth/report.h"
 
 namespace zproof {
 namespace {

@@ -5,14 +5,14 @@
 
 #include "cli/interrupt.h"
 #include "cli/study/study.h"
+#include "lessons/projection/border_lattice.h"
+#include "lessons/projection/sections.h"
 #include "oracle/embree.h"
 #include "oracle/oracle_error.h"
 #include "oracle/povray.h"
 #include "rasterizer/rasterizer.h"
 #include "rasterizer/shading.h"
 #include "reports/pictures.h"
-#include "reports/projection/sections.h"
-#include "study/projection/border_lattice.h"
 
 namespace zproof {
 namespace {

@@ -1,5 +1,5 @@
-#include "reports/studies/shading.h"
 #include "cli/study/study.h"
+#include "lessons/shading/report.h"
 
 namespace zproof {
 namespace {

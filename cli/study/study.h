@@ -7,7 +7,7 @@
 
 #include "cli/study/arguments.h"
 #include "cli/work_progress.h"
-#include "reports/document/document.h"
+#include "reports/pages/document.h"
 #include "scenes/loaded.h"
 
 namespace zproof {

@@ -10,9 +10,9 @@
 #include "cli/version.h"
 #include "cli/work_progress.h"
 #include "frame/printable.h"
-#include "reports/document/folder.h"
-#include "reports/document/terminal.h"
 #include "reports/output_folder.h"
+#include "reports/pages/folder.h"
+#include "reports/pages/terminal.h"
 
 namespace zproof {
 namespace {

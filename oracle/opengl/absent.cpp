@@ -1,5 +1,4 @@
 /// Stands in where zproof was built without OpenGL.
-#include "oracle/filter_peers.h"
 #include "oracle/opengl.h"
 #include "oracle/oracle_error.h"
 
@@ -32,11 +31,5 @@ std::optional<std::string> opengl_is_missing() { return not_built_in; }
 Precision opengl_precision() { throw OracleError(not_built_in); }
 
 std::string opengl_version() { throw OracleError(not_built_in); }
-
-Picture opengl_filtered(const Scene&, const View&, const Frame&, const OpenGlFilter&, const FilterSettings&) {
-    throw OracleError(not_built_in);
-}
-
-FilterPrecision opengl_filter_precision() { throw OracleError(not_built_in); }
 
 }  // namespace zproof::oracle

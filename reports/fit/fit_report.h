@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "measure/fit/fit.h"
-#include "reports/document/document.h"
+#include "reports/pages/document.h"
 
 namespace zproof {
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "filters/report/json.h"
+#include "filters/study/claims.h"
 #include "image_io/image_io.h"
 #include "math/sha256.h"
-#include "reports/filters/json.h"
-#include "study/filters/claims.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {

@@ -7,16 +7,16 @@
 
 #include "cli/filters/arguments.h"
 #include "cli/usage_error.h"
+#include "filters/area/area_integral.h"
+#include "filters/methods/catalogue.h"
+#include "filters/report/json.h"
+#include "filters/report/table_cells.h"
+#include "filters/scenes/filter_scenes.h"
+#include "filters/study/claims.h"
 #include "image_io/image_io.h"
-#include "oracle/area_integral.h"
-#include "reports/filters/json.h"
-#include "reports/filters/table_cells.h"
-#include "scenes/filter_scenes.h"
 #include "scenes/scene_hash.h"
 #include "scenes/view_file.h"
-#include "study/filters/claims.h"
 #include "tests/cli/program.h"
-#include "texture/catalogue.h"
 
 namespace zproof::test {
 namespace {

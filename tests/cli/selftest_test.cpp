@@ -5,8 +5,8 @@
 
 #include "cli/selftest/fault.h"
 #include "cli/selftest/filter_fault.h"
+#include "filters/methods/catalogue.h"
 #include "tests/cli/program.h"
-#include "texture/catalogue.h"
 
 namespace zproof::test {
 namespace {

@@ -1,7 +1,7 @@
 // zproof study as a user types it.
 #include <gtest/gtest.h>
 
-#include "reports/document/folder.h"
+#include "reports/pages/folder.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {

@@ -1,4 +1,4 @@
-#include "compare/metrics/picture_difference.h"
+#include "compare/picture_difference.h"
 
 #include <gtest/gtest.h>
 

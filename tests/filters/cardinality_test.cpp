@@ -1,8 +1,8 @@
 // Both definitions of the tables of texels, entry by entry.
 #include <gtest/gtest.h>
 
-#include "oracle/filter_reference/cardinality_taps.h"
-#include "texture/cardinality_table.h"
+#include "filters/reference/cardinality_taps.h"
+#include "filters/stored/cardinality_table.h"
 
 namespace zproof {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "cli/selftest/filter_fault.h"
 #include "cli/selftest/filter_variants.h"
+#include "filters/methods/catalogue.h"
+#include "filters/reference/admissible_surfaces.h"
 #include "math/interval_functions.h"
-#include "oracle/admissible_surfaces.h"
-#include "texture/catalogue.h"
 
 namespace zproof::selftest {
 namespace {
@@ -121,7 +121,7 @@ TEST(TapPlacement, OnThePictureIsHeldToItsBits) {
 
 /// A chain made of stored codes instead of light: right for a picture that promises it, wrong for one that
 /// promises zproof's own.
-TEST(GivenLevels, AreWhatAPictureIsHeldTo) {
+TEST(LevelsOfAUser, AreWhatAPictureIsHeldTo) {
     const FilterFixture fixture = filter_fixture(Ground::noise);
     const Image& image = fixture.scene.images.front();
     std::vector<texture::LinearImage> levels =

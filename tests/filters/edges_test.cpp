@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "cli/selftest/filter_fault.h"
-#include "oracle/admissible_surfaces.h"
+#include "filters/methods/catalogue.h"
+#include "filters/reference/admissible_surfaces.h"
+#include "filters/scenes/filter_scenes.h"
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"
-#include "scenes/filter_scenes.h"
-#include "texture/catalogue.h"
 
 namespace zproof::selftest {
 namespace {

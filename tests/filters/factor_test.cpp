@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/selftest/filter_fault.h"
-#include "texture/catalogue.h"
+#include "filters/methods/catalogue.h"
 
 namespace zproof::selftest {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "cli/selftest/filter_fault.h"
-#include "texture/catalogue.h"
+#include "filters/methods/catalogue.h"
 
 namespace zproof::selftest {
 

@@ -6,10 +6,10 @@
 #include <map>
 
 #include "cli/filters/joint_check.h"
+#include "filters/methods/catalogue.h"
 #include "rasterizer/texturing.h"
 #include "tests/filters/limited_sampler.h"
 #include "tests/filters/near_ground.h"
-#include "texture/catalogue.h"
 
 namespace zproof {
 

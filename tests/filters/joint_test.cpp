@@ -6,9 +6,9 @@
 #include <random>
 
 #include "cli/filters/joint_check.h"
+#include "filters/methods/catalogue.h"
 #include "tests/filters/limited_sampler.h"
 #include "tests/filters/near_ground.h"
-#include "texture/catalogue.h"
 
 namespace zproof {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "cli/selftest/filter_variants.h"
-#include "texture/mip_chain.h"
+#include "filters/stored/mip_chain.h"
 
 namespace zproof {
 

@@ -1,7 +1,7 @@
 /// Samplers of limited precision, as hardware has them, for tests: honest ones, and ones with a small error.
 #pragma once
 
-#include "frame/filter_precision_presets.h"
+#include "filters/conformance/filter_precision_presets.h"
 #include "texture/method.h"
 
 namespace zproof {

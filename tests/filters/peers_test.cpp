@@ -5,8 +5,8 @@
 #include <iostream>
 
 #include "cli/selftest/filter_fault.h"
-#include "oracle/admissible_surfaces.h"
-#include "oracle/filter_peers.h"
+#include "filters/reference/admissible_surfaces.h"
+#include "filters/reference/filter_peers.h"
 
 namespace zproof::selftest {
 namespace {

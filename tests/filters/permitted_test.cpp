@@ -7,8 +7,8 @@
 
 #include "cli/filters/claim.h"
 #include "cli/selftest/filter_fault.h"
+#include "filters/methods/catalogue.h"
 #include "tests/filters/limited_sampler.h"
-#include "texture/catalogue.h"
 
 namespace zproof::selftest {
 namespace {

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "cli/selftest/filter_fault.h"
+#include "filters/methods/catalogue.h"
 #include "tests/filters/limited_sampler.h"
-#include "texture/catalogue.h"
 
 namespace zproof {
 namespace {

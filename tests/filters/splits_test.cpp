@@ -5,9 +5,9 @@
 #include <random>
 
 #include "cli/filters/joint_check.h"
-#include "oracle/admissible_surfaces.h"
-#include "oracle/filter_reference/levels.h"
-#include "scenes/filter_scenes.h"
+#include "filters/reference/admissible_surfaces.h"
+#include "filters/reference/levels.h"
+#include "filters/scenes/filter_scenes.h"
 #include "tests/filters/limited_sampler.h"
 #include "tests/filters/near_ground.h"
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "cli/selftest/filter_fault.h"
-#include "frame/filter_precision_presets.h"
+#include "filters/conformance/filter_precision_presets.h"
+#include "filters/methods/catalogue.h"
 #include "tests/filters/limited_sampler.h"
 #include "tests/filters/near_ground.h"
-#include "texture/catalogue.h"
 
 namespace zproof {
 namespace {

@@ -1,9 +1,9 @@
 // Both definitions of the table of reads, entry by entry.
-#include "oracle/filter_reference/two_reads.h"
+#include "filters/reference/two_reads.h"
 
 #include <gtest/gtest.h>
 
-#include "texture/two_reads_table.h"
+#include "filters/stored/two_reads_table.h"
 
 namespace zproof {
 namespace {

@@ -1,5 +1,5 @@
 // study.json, and behind a 0 the bytes of every file that it names.
-#include "reports/document/json.h"
+#include "reports/pages/json.h"
 #include "tests/fuzz/harness.h"
 
 namespace zproof::fuzz {

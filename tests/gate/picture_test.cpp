@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "compare/metrics/picture_difference.h"
+#include "compare/picture_difference.h"
 #include "oracle/povray.h"
 #include "rasterizer/rasterizer.h"
 #include "rasterizer/shading.h"

@@ -1,5 +1,7 @@
 #include "brute_force.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -156,6 +158,55 @@ std::optional<CertainAnswer> certain_answer(const Scene& scene, const View& view
     const Real depth = ray.origin_depth + first.t.value;
     return CertainAnswer{PrimitiveId{first.triangle}, depth,
                          first.t.error + Real(u32) * (std::abs(depth) + first.t.error)};
+}
+
+namespace {
+
+struct Tally {
+    int pixels = 0, certain = 0, certain_and_covered = 0;
+};
+
+std::string story(const View& view, int x, int y) {
+    return "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") of " + std::to_string(view.width) +
+           " x " + std::to_string(view.height);
+}
+
+void expect_certain_answers(const Caster& caster, const Scene& scene, const View& view, Tally& tally) {
+    const Frame frame = caster.cast(scene, view);
+    for (int y = 0; y < view.height; ++y) {
+        for (int x = 0; x < view.width; ++x) {
+            ++tally.pixels;
+            const auto expected = certain_answer(scene, view, x, y);
+            if (!expected) continue;
+            ++tally.certain;
+            ASSERT_EQ(frame.primitive.at(x, y), expected->primitive) << story(view, x, y);
+            const float depth = frame.camera_depth.at(x, y);
+            if (expected->primitive == PrimitiveId::none) {
+                ASSERT_EQ(depth, background_depth) << story(view, x, y);
+                continue;
+            }
+            ++tally.certain_and_covered;
+            const long double allowed = caster.depth_error ? caster.depth_error(view, double(expected->depth))
+                                                           : expected->depth_error;
+            ASSERT_LE(std::abs(depth - expected->depth), allowed) << story(view, x, y);
+        }
+    }
+}
+
+}  // namespace
+
+void expect_agreement(const Caster& caster, ProjectionKind projection_kind) {
+    Tally tally;
+    for (std::uint32_t seed = 0; seed < caster.scenes; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        Rng rng(seed);
+        const View view = random_view(rng, projection_kind);
+        expect_certain_answers(caster, random_soup(rng, view.camera, 40), view, tally);
+        if (testing::Test::HasFatalFailure()) return;
+    }
+    EXPECT_GT(tally.certain, tally.pixels * 99 / 100) << "the bounds have become too loose to say anything";
+    EXPECT_GT(tally.certain_and_covered, tally.pixels / 3)
+        << "the scenes have become too empty to say anything";
 }
 
 }  // namespace zproof::oracle

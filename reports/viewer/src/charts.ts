@@ -1,6 +1,6 @@
 // Charts whose series a reader chooses: a legend above them filters, and pointing at a name shows where it is.
 //
-//   <div class="plots">: figures with charts of reports/chart.h inside, <g class="series" data-series="NAME">. A chosen
+//   <div class="plots">: figures with charts of reports/pages/chart.h inside, <g class="series" data-series="NAME">. A chosen
 //   series has a colour of its own, the same in every chart; nothing chosen shows all, as they were drawn.
 import {element} from './element';
 

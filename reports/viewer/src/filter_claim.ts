@@ -1,4 +1,4 @@
-// What the method that a picture claims to be of permits at a pixel (compare/permitted_interval.h).
+// What the method that a picture claims to be of permits at a pixel (filters/conformance/permitted_interval.h).
 import {channelNames} from './channels';
 import type {Channels} from './channels';
 import {element} from './element';

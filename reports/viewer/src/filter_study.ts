@@ -15,7 +15,7 @@ import type {EntryStyle, Stage, Subject} from './subject';
 
 export type StudiedView = ViewEntry & {methods: string[]};
 
-/// As reports/filters/page.cpp writes it.
+/// As filters/report/page.cpp writes it.
 export type Study = {truth: string; regions: {name: string; definition: string}[]; views: StudiedView[]};
 
 export const studyLayers = ['method', 'truth', 'signed', 'other'];

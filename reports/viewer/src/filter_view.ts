@@ -6,7 +6,7 @@ import {claimPlanesOf, distanceOutside} from './filter_claim';
 import type {Claim, Permitted} from './filter_claim';
 import type {Planes} from './planes';
 
-/// Of a studied view (reports/filters/evidence_planes.cpp).
+/// Of a studied view (filters/report/evidence_planes.cpp).
 export type StudyHeader = Header & {
     truth: string; regions: {name: string; pixels: number}[]; methods: string[]; explain: string;
     claims?: Record<string, Claim>;  // by the picture's label
@@ -21,7 +21,7 @@ export type TextureWindow = {
     colour: number[]; read: number[]; exact: number[];
 };
 
-/// As reports/filters/inspection_json.cpp writes it; lengths in texels.
+/// As filters/report/inspection_json.cpp writes it; lengths in texels.
 export type Inspection = {
     x: number; y: number; method: string; why: string; text: string; texture: Pair; factor: Triple; result: Triple;
     centre: Pair; corners: Pair[]; major: number; minor: number; direction: Pair; window?: TextureWindow; exact?: Shape;

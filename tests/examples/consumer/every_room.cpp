@@ -3,6 +3,8 @@
 #include <iostream>
 
 #include "compare/judge.h"
+#include "filters/methods/catalogue.h"
+#include "filters/study/study.h"
 #include "math/rounding.h"
 #include "measure/measure.h"
 #include "oracle/embree.h"
@@ -10,8 +12,6 @@
 #include "reports/json.h"
 #include "reports/results.h"
 #include "scenes/suite.h"
-#include "study/filters/study.h"
-#include "texture/catalogue.h"
 
 int main() {
     using namespace zproof;

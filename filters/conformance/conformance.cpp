@@ -1,0 +1,91 @@
+#include "filters/conformance/conformance.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace zproof {
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+double slack_in(const LinearRgb& colour, const ColourRange& range) {
+    const std::array<double, 3> value{colour.r, colour.g, colour.b};
+    double slack = 0;
+    for (int c = 0; c < 3; ++c) {
+        if (!std::isfinite(value[std::size_t(c)])) return inf;
+        if (range.low[c] == -inf) continue;
+        const double half = (range.high[c] - range.low[c]) / 2, middle = range.low[c] + half;
+        const double off = std::abs(value[std::size_t(c)] - middle);
+        // Inside is inside, whatever the quotient rounds to.
+        const bool is_inside =
+            value[std::size_t(c)] >= range.low[c] && value[std::size_t(c)] <= range.high[c];
+        const double needed = off == 0 ? 0 : half == 0 ? inf : off / half;
+        slack =
+            std::max(slack, is_inside ? std::min(needed, 1.0) : std::max(needed, std::nextafter(1.0, 2.0)));
+    }
+    return slack;
+}
+
+}  // namespace
+
+const ColourRange& nearest_range(const LinearRgb& colour, const PermittedColours& permitted) {
+    const ColourRange* nearest = &permitted.front();
+    double least = inf;
+    for (const ColourRange& range : permitted)
+        if (const double slack = slack_in(colour, range); slack < least) least = slack, nearest = &range;
+    return *nearest;
+}
+
+double width_of(const PermittedColours& permitted) {
+    double sum = 0;
+    for (const ColourRange& range : permitted) {
+        const glm::dvec3 width = range.high - range.low;
+        sum += (width.x + width.y + width.z) / 3;
+    }
+    return sum;
+}
+
+double slack_of(const LinearRgb& colour, const PermittedColours& permitted) {
+    return slack_in(colour, nearest_range(colour, permitted));
+}
+
+Conformance conformance(const Picture& picture, const PixelReference& reference,
+                        const FilterPrecision& precision) {
+    const Resolution size = picture.size();
+    Conformance found{.judged = size.pixel_count(), .worst = {}, .where = {}, .slack = Plane<float>{size}};
+    Plane<double> width{size};
+    tbb::parallel_for(0, size.height, [&](int y) {
+        for (int x = 0; x < size.width; ++x) {
+            const PermittedColours permitted = reference(x, y, precision);
+            const double slack = slack_of(picture.at(x, y), permitted);
+            found.slack.at(x, y) = slack > 1 ? std::nextafter(float(slack), float(inf)) : float(slack);
+            width.at(x, y) = width_of(permitted);
+        }
+    });
+    double widths = 0;
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            const double slack = double{found.slack.at(x, y)};
+            if (std::isinf(width.at(x, y)))
+                ++found.anything;
+            else
+                widths += width.at(x, y);
+            if (slack > found.worst_slack) found.worst_slack = slack, found.worst = {x, y};
+            if (!(slack > 1)) continue;
+            ++found.outside;
+            if (!found.where) found.where = ExtentOutside{{x, y}, {x, y}};
+            found.where->first.x = std::min(found.where->first.x, x);
+            found.where->last.x = std::max(found.where->last.x, x);
+            found.where->last.y = y;
+        }
+    }
+    found.mean_width = widths / double(std::max<std::uint64_t>(found.judged - found.anything, 1));
+    return found;
+}
+
+}  // namespace zproof

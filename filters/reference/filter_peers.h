@@ -1,0 +1,45 @@
+/// Texture filters of others, asked for the same picture that the filter reference judges
+/// (docs/filter-peers.md): base colour factor x filtered texture, linear, black where nothing is seen.
+#pragma once
+
+#include "filters/reference/filter_reference.h"
+#include "frame/frame.h"
+#include "frame/picture.h"
+
+namespace zproof::oracle {
+
+enum class PeerFilter {
+    bilinear,                ///< level 0 alone
+    trilinear,               ///< one place, two levels
+    anisotropic,             ///< several places along the footprint's longer axis
+    stochastic_trilinear,    ///< of OpenImageIO alone: one level, chosen by chance
+    stochastic_anisotropic,  ///< the same: one level and one place
+};
+
+/// What OpenGL is asked for.
+struct OpenGlFilter {
+    PeerFilter filter;
+    StepRule steps;
+};
+
+/// OpenGL's samplers: textures of float32 texels, its own glGenerateMipmap, GL_LINEAR_MIPMAP_LINEAR,
+/// GL_TEXTURE_MAX_ANISOTROPY. Each pixel is given, in float32, the texture coordinates that it sees; steps
+/// are handed over likewise (`analytic`, by textureGrad) or found by the driver (`quad_differences`). Throws
+/// OracleError where there is no driver, or in the driver's words.
+Picture opengl_filtered(const Scene& scene, const View& view, const Frame& frame, const OpenGlFilter& asked,
+                        const FilterSettings& settings);
+/// What the specification asks for leaves much open; this is declared: float32 coordinates and sums, 8 bits
+/// of weights and of the LOD's fraction (Direct3D 11.3, 7.18.16: the least for hardware).
+FilterPrecision opengl_filter_precision();
+
+/// OpenImageIO's TextureSystem, with a mip chain made by its own make_texture (box) from the decoded float32
+/// texels, bilinear interpolation and the conservative filter. It is given, in float32, the texture
+/// coordinates and steps that each pixel of the frame sees. Of a stochastic filter it is the mean of
+/// settings.samples lookups, each by a number that is a hash of settings.seed, pixel and sample. On the
+/// threads of the surrounding tbb::task_arena. Throws OracleError in its words.
+Picture openimageio_filtered(const Scene& scene, const View& view, const Frame& frame, PeerFilter filter,
+                             const FilterSettings& settings);
+/// What is declared for it: float32 throughout.
+FilterPrecision openimageio_filter_precision();
+
+}  // namespace zproof::oracle

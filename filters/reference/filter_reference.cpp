@@ -1,0 +1,134 @@
+#include "filters/reference/filter_reference.h"
+
+#include <algorithm>
+
+#include "filters/reference/colour_range_sums.h"
+#include "math/rounding.h"
+
+namespace zproof::oracle {
+
+namespace {
+
+using namespace filter_reference;
+
+texture::LinearImage linear(const Image& image) {
+    return texture::linear_image({image.width, image.height, image.texels});
+}
+
+/// What the sums over texels may cost, theirs and ours, where texels lie in [0, 1]. No definition's number of
+/// terms times the sum of their absolute weights is more than this; cardinality-8's is 8 times 4.1 at most.
+constexpr int most_terms = 4096;
+
+/// The factor may be read as the file's number or as the float32 nearest to it, or be anything between.
+ColourRange factor_of(const Material& material) {
+    const glm::dvec3 rounded{glm::vec3{material.base_color_factor}},
+        exact = rounded + glm::dvec3{material.base_color_factor_rounding};
+    return {glm::min(rounded, exact), glm::max(rounded, exact)};
+}
+
+/// Every product of a factor and a colour.
+ColourRange product(const ColourRange& factor, const ColourRange& colour) {
+    return hull(hull({factor.low * colour.low, factor.low * colour.low},
+                     {factor.low * colour.high, factor.low * colour.high}),
+                hull({factor.high * colour.low, factor.high * colour.low},
+                     {factor.high * colour.high, factor.high * colour.high}));
+}
+
+/// Factor, sum and the picture's format.
+ColourRange as_shown(const ColourRange& filtered, const ColourRange& factor,
+                     const FilterPrecision& precision) {
+    const double sums =
+        2 * (gamma(precision.sum_roundings, std::exp2(-precision.sum_bits)) + gamma(most_terms, 0x1p-53));
+    const auto [low, high] = product(factor, {filtered.low - sums, filtered.high + sums});
+    // The factor's product in double, and one rounding to the picture's numbers.
+    const double rounding = std::exp2(-precision.colour_bits) * (1 + 0x1p-50);
+    return {low - rounding * glm::abs(low) - 0x1p-149, high + rounding * glm::abs(high) + 0x1p-149};
+}
+
+PermittedColours anything() {
+    const double inf = std::numeric_limits<double>::infinity();
+    return {{glm::dvec3{-inf}, glm::dvec3{inf}}};
+}
+
+}  // namespace
+
+std::span<const Definition> filter_definitions() {
+    static const std::vector<Definition> all = [] {
+        std::vector<Definition> list;
+        for (const auto& family :
+             {point_definitions, separable_definitions, mip_definitions, cardinality_definitions,
+              bilinear_reads_definitions, ripmap_definitions, anisotropic_definitions,
+              openimageio_definitions, ewa_definitions, sat_definitions, repeated_sat_definitions,
+              supersample_definitions, stochastic_definitions})
+            for (Definition& definition : family()) list.push_back(std::move(definition));
+        return list;
+    }();
+    return all;
+}
+
+const Definition* find_filter_definition(std::string_view name) {
+    const auto found = std::ranges::find(filter_definitions(), name, &Definition::name);
+    return found == filter_definitions().end() ? nullptr : &*found;
+}
+
+FilterReference::FilterReference(const Scene& scene, const View& view, const Definition& definition,
+                                 const FilterSettings& settings, StepRule steps)
+    : scene_(scene), view_(view), steps_(steps) {
+    for (const Material& material : scene.materials) {
+        const Texture& texture = material.base_color;
+        FilterSettings own = settings;
+        own.wrap = {texture.sampler.wrap_u, texture.sampler.wrap_v};
+        own.scene = &scene;
+        own.image = texture.image;
+        by_material_.emplace_back();
+        draws_.emplace_back();
+        if (!is_textured(scene, material)) continue;
+        const texture::LinearImage image = linear(scene.images[std::size_t(texture.image)]);
+        by_material_.back() = definition.prepare(image, own);
+        if (definition.draws) draws_.back() = definition.draws(image, own);
+    }
+}
+
+PermittedColours FilterReference::at(int x, int y, std::span<const PrimitiveId> seen,
+                                     const FilterPrecision& precision) const {
+    PermittedColours all;
+    for (const PrimitiveId surface : seen)
+        std::ranges::copy(of_surface(x, y, surface, precision), std::back_inserter(all));
+    return all;
+}
+
+PermittedColours FilterReference::of_surface(int x, int y, PrimitiveId seen,
+                                             const FilterPrecision& precision) const {
+    if (seen == PrimitiveId::none) return {ColourRange{}};
+    const Material& material = material_of(scene_, std::uint32_t(seen));
+    const MethodReference& reference = by_material_[std::size_t(&material - scene_.materials.data())];
+    const ColourRange factor = factor_of(material);
+    if (!reference) return {as_shown({glm::dvec3{1}, glm::dvec3{1}}, factor, precision)};
+    try {
+        const SeenTexture texture{view_, textured_triangle(scene_, std::uint32_t(seen)), precision};
+        PermittedColours permitted = reference({texture, x, y, steps_, precision});
+        for (ColourRange& range : permitted) range = as_shown(range, factor, precision);
+        return permitted;
+    } catch (const UndecidedSign&) {
+        return anything();
+    }
+}
+
+std::optional<ColourDraws> FilterReference::draws_at(int x, int y, PrimitiveId seen,
+                                                     const FilterPrecision& precision) const {
+    if (seen == PrimitiveId::none) return std::nullopt;
+    const Material& material = material_of(scene_, std::uint32_t(seen));
+    const DrawReference& reference = draws_[std::size_t(&material - scene_.materials.data())];
+    if (!reference) return std::nullopt;
+    const ColourRange factor = factor_of(material);
+    try {
+        const SeenTexture texture{view_, textured_triangle(scene_, std::uint32_t(seen)), precision};
+        ColourDraws all = reference({texture, x, y, steps_, precision});
+        for (ColourDraw& draw : all.draws) draw.colour = as_shown(draw.colour, factor, precision);
+        return all;
+    } catch (const UndecidedSign&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace zproof::oracle

@@ -1,0 +1,191 @@
+#include "filters/reference/filter_peers.h"
+#include "oracle/opengl/context.h"
+#include "oracle/opengl/drawing.h"
+#include "oracle/oracle_error.h"
+
+namespace zproof::oracle {
+
+namespace {
+
+using filter_reference::PixelFootprint;
+using opengl::Texture2d;
+
+/// One triangle that covers the image.
+constexpr const char* vertex_source = R"(#version 450 core
+void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); })";
+
+/// `place`: uv and, in z, whether the pixel shows this texture; `steps`: per pixel of x, and of y.
+constexpr const char* fragment_source = R"(#version 450 core
+layout(binding = 0) uniform sampler2D image;
+layout(binding = 1) uniform sampler2D place;
+layout(binding = 2) uniform sampler2D steps;
+layout(location = 0) uniform bool has_steps;
+layout(location = 0) out vec4 colour;
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 at = texelFetch(place, pixel, 0).xyz;
+    vec4 step = texelFetch(steps, pixel, 0);
+    colour = has_steps ? textureGrad(image, at.xy, step.xy, step.zw) : texture(image, at.xy);
+})";
+
+GLint gl_wrap_of(Wrap wrap) {
+    if (wrap == Wrap::repeat) return GL_REPEAT;
+    return wrap == Wrap::clamp_to_edge ? GL_CLAMP_TO_EDGE : GL_MIRRORED_REPEAT;
+}
+
+GLuint texture_name() {
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &name);
+    return name;
+}
+
+Texture2d plane_texture(const Plane<glm::vec4>& plane) {
+    Texture2d texture{texture_name()};
+    const auto [width, height] = plane.size();
+    glTextureStorage2D(texture.name(), 1, GL_RGBA32F, width, height);
+    glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, plane.pixels().data());
+    return texture;
+}
+
+int level_count(int size) {
+    int count = 1;
+    for (; size > 1; size /= 2) ++count;
+    return count;
+}
+
+Texture2d mipped_texture(const Image& image, const Sampler& sampler, PeerFilter filter,
+                         const FilterSettings& settings) {
+    const texture::LinearImage linear = texture::linear_image({image.width, image.height, image.texels});
+    Texture2d texture{texture_name()};
+    const GLuint name = texture.name();
+    glTextureStorage2D(name, level_count(std::max(image.width, image.height)), GL_RGBA32F, image.width,
+                       image.height);
+    glTextureSubImage2D(name, 0, 0, 0, image.width, image.height, GL_RGBA, GL_FLOAT, linear.texels.data());
+    glGenerateTextureMipmap(name);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_S, gl_wrap_of(sampler.wrap_u));
+    glTextureParameteri(name, GL_TEXTURE_WRAP_T, gl_wrap_of(sampler.wrap_v));
+    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER,
+                        filter == PeerFilter::bilinear ? GL_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
+    if (filter == PeerFilter::anisotropic)
+        glTextureParameterf(name, GL_TEXTURE_MAX_ANISOTROPY, float(settings.max_anisotropy));
+    return texture;
+}
+
+/// What each pixel that sees this material hands to the sampler.
+struct Inputs {
+    Plane<glm::vec4> place, steps;
+};
+
+/// Continues the texture over pixels that show something else, from those beside them in their 2 x 2 pixels.
+/// A driver may look at all four: llvmpipe's anisotropic sampler takes the differences of their places for
+/// the steps, whatever steps it is given.
+void complete_quads(Inputs& inputs) {
+    const auto [width, height] = inputs.place.size();
+    const auto continue_from = [&inputs](glm::ivec2 pixel, glm::ivec2 beside) {
+        const glm::vec4 from = inputs.place.at(beside.x, beside.y),
+                        step = inputs.steps.at(beside.x, beside.y);
+        if (inputs.place.at(pixel.x, pixel.y).z != 0 || from.z == 0) return;
+        const glm::vec2 way{pixel - beside};
+        const glm::vec2 place = glm::vec2{from} + way.x * glm::vec2{step} + way.y * glm::vec2{step.z, step.w};
+        inputs.place.at(pixel.x, pixel.y) = glm::vec4{place, 0, 0};
+        inputs.steps.at(pixel.x, pixel.y) = step;
+    };
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const int beside_x = std::min(x ^ 1, width - 1), beside_y = std::min(y ^ 1, height - 1);
+            for (const glm::ivec2 beside : {glm::ivec2{beside_x, beside_y}, {x, beside_y}, {beside_x, y}})
+                continue_from({x, y}, beside);
+        }
+}
+
+Inputs inputs_of(const Scene& scene, const View& view, const Frame& frame, const Material& material) {
+    Inputs inputs{Plane<glm::vec4>{frame.size()}, Plane<glm::vec4>{frame.size()}};
+    for (int y = 0; y < view.height; ++y) {
+        for (int x = 0; x < view.width; ++x) {
+            const PrimitiveId id = frame.primitive.at(x, y);
+            if (id == PrimitiveId::none ||
+                &filter_reference::material_of(scene, std::uint32_t(id)) != &material)
+                continue;
+            const auto triangle = filter_reference::textured_triangle(scene, std::uint32_t(id));
+            const filter_reference::SeenTexture seen{view, triangle, FilterPrecision{}};
+            const PixelFootprint f = seen.footprint(x, y, StepRule::analytic);
+            const glm::dvec2 size{triangle.texture_size};
+            const auto in_uv = [&](const filter_reference::TexelInterval& p) {
+                return glm::vec2{glm::dvec2{middle(p.u), middle(p.v)} / size};
+            };
+            inputs.place.at(x, y) = glm::vec4{in_uv(f.centre), 1, 0};
+            inputs.steps.at(x, y) = glm::vec4{in_uv(f.per_x), in_uv(f.per_y)};
+        }
+    }
+    complete_quads(inputs);
+    return inputs;
+}
+
+/// What the sampler gives for every pixel, RGBA; the context must be current.
+Plane<glm::vec4> sampled(const opengl::Program& program, const Texture2d& image, const Inputs& inputs,
+                         StepRule steps) {
+    const Resolution size = inputs.place.size();
+    const Texture2d place = plane_texture(inputs.place), step = plane_texture(inputs.steps),
+                    target = plane_texture(Plane<glm::vec4>{size});
+    const opengl::Framebuffer framebuffer{opengl::created(glCreateFramebuffers)};
+    const opengl::VertexArray nothing{opengl::created(glCreateVertexArrays)};
+    glNamedFramebufferTexture(framebuffer.name(), GL_COLOR_ATTACHMENT0, target.name(), 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    glViewport(0, 0, size.width, size.height);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CLIP_DISTANCE0);
+    glUseProgram(program.name());
+    glUniform1i(0, steps == StepRule::analytic ? 1 : 0);
+    const std::array<GLuint, 3> units{image.name(), place.name(), step.name()};
+    glBindTextures(0, GLsizei(units.size()), units.data());
+    glBindVertexArray(nothing.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    Plane<glm::vec4> colours{size};
+    glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_FLOAT, colours.pixels().data());
+    opengl::raise_gl_error("filters a texture");
+    return colours;
+}
+
+/// The pixels that show this material.
+void paint(Picture& picture, const Inputs& inputs, const Plane<glm::vec4>& colours,
+           const glm::dvec3& factor) {
+    for (int y = 0; y < picture.size().height; ++y)
+        for (int x = 0; x < picture.size().width; ++x) {
+            if (inputs.place.at(x, y).z == 0) continue;
+            const glm::dvec3 colour = factor * glm::dvec3{glm::vec3{colours.at(x, y)}};
+            picture.at(x, y) = {float(colour.r), float(colour.g), float(colour.b)};
+        }
+}
+
+}  // namespace
+
+Picture opengl_filtered(const Scene& scene, const View& view, const Frame& frame, const OpenGlFilter& asked,
+                        const FilterSettings& settings) {
+    const opengl::Context context;
+    const opengl::Context::Current current(context);
+    const opengl::Program program = opengl::linked_program(vertex_source, fragment_source);
+    Picture picture{frame.size()};
+    for (const Material& material : scene.materials) {
+        if (!filter_reference::is_textured(scene, material)) continue;
+        const Texture& texture = material.base_color;
+        const Inputs inputs = inputs_of(scene, view, frame, material);
+        const Texture2d image =
+            mipped_texture(scene.images[std::size_t(texture.image)], texture.sampler, asked.filter, settings);
+        paint(picture, inputs, sampled(program, image, inputs, asked.steps),
+              glm::dvec3{glm::vec3{material.base_color_factor}});
+    }
+    return picture;
+}
+
+FilterPrecision opengl_filter_precision() {
+    return {.coordinate_bits = 24,
+            .weight_bits = 8,
+            .lod_bits = 8,
+            .tap_bits = 8,
+            .sum_bits = 24,
+            .sum_roundings = 80,
+            .colour_bits = 22};
+}
+
+}  // namespace zproof::oracle

@@ -1,0 +1,170 @@
+#include "filters/report/inspection_words.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "reports/wording.h"
+
+namespace zproof {
+
+namespace {
+
+using namespace study;
+
+/// Four significant digits.
+std::string short_number(double value) {
+    std::array<char, 32> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4).ptr;
+    return {text.data(), end};
+}
+
+std::string pair_of(const glm::dvec2& p) { return "(" + short_number(p.x) + ", " + short_number(p.y) + ")"; }
+
+std::string rgb_in_words(const glm::dvec3& c) {
+    return short_number(c.r) + " " + short_number(c.g) + " " + short_number(c.b);
+}
+
+std::string word_for(WeightFault fault) {
+    switch (fault) {
+        case WeightFault::blur:
+            return "blur";
+        case WeightFault::alias:
+            return "alias";
+        case WeightFault::shift:
+            return "shift";
+    }
+    return "";
+}
+
+std::string one_finding(const WeightFinding& f) {
+    const std::string axis = f.is_along_major ? " along the major axis" : " along the minor axis";
+    const std::string numbers =
+        f.fault == WeightFault::shift
+            ? " (the weights' centroid lies " + short_number(f.found) + " texels beside the pixel's)"
+            : " (the weights spread over " + short_number(f.found) + " texels, the pixel's over " +
+                  short_number(f.exact) + ")";
+    return word_for(f.fault) + axis + numbers;
+}
+
+std::string level_in_words(const glm::dvec2& level) {
+    return level.x == level.y ? short_number(level.x)
+                              : short_number(level.x) + " along u and " + short_number(level.y) + " along v";
+}
+
+/// The mean level, each image by its weight; nothing where an image is no level, or weights cancel.
+std::optional<glm::dvec2> mean_level(const Reading& reading) {
+    glm::dvec2 sum{0};
+    double weight = 0;
+    for (const ImageRead& image : reading.images) {
+        if (!image.level) return std::nullopt;
+        sum += image.weight * *image.level;
+        weight += image.weight;
+    }
+    return weight > 0 ? std::optional{sum / weight} : std::nullopt;
+}
+
+std::string what_is_read(const PixelInspection& one) {
+    const auto level = mean_level(*one.reading);
+    const std::string axis = " for a minor axis of " + short_number(one.ellipse.minor) + " texels";
+    return level ? "reads level " + level_in_words(*level) + axis
+                 : "reads " + counted(one.reading->taps.size(), "tap") + axis;
+}
+
+std::string spread_along(const PixelInspection& one, const texture::KernelShape& shape) {
+    const glm::dvec2 major = one.ellipse.major_direction, minor{-major.y, major.x};
+    const auto along = [&](const glm::dvec2& axis) {
+        return short_number(std::sqrt(std::max(0.0, glm::dot(axis, shape.covariance * axis))));
+    };
+    return along(major) + " texels along the major axis, " + along(minor) + " along the minor axis";
+}
+
+std::string line(const std::string& name, const std::string& text) {
+    return "  " + name + std::string(std::max<std::size_t>(1, 12 - name.size()), ' ') + text + "\n";
+}
+
+std::string weights_line(const PixelInspection& one, const std::string& name, const texture::Kernel& kernel,
+                         const texture::KernelShape& shape) {
+    return line(name, "sum " + short_number(shape.sum) + " over " + std::to_string(kernel.width) + " x " +
+                          std::to_string(kernel.height) + " texels; centroid " + pair_of(shape.centroid) +
+                          "; spread " + spread_along(one, shape));
+}
+
+std::string footprint_lines(const PixelInspection& one) {
+    const texture::Footprint& f = one.footprint;
+    const texture::Ellipse& e = one.ellipse;
+    return line("texture",
+                std::to_string(one.texture_width) + " x " + std::to_string(one.texture_height) + " texels") +
+           line("footprint", "centre " + pair_of(f.centre) + ", per pixel in x " + pair_of(f.per_x) +
+                                 ", in y " + pair_of(f.per_y) + " texels") +
+           line("ellipse", "axes " + short_number(e.major) + " and " + short_number(e.minor) +
+                               " texels, anisotropy " + short_number(e.major / e.minor) +
+                               ", major axis along " + pair_of(e.major_direction));
+}
+
+std::string image_lines(const Reading& reading) {
+    std::string text;
+    for (const ImageRead& image : reading.images)
+        text += line(
+            "reads",
+            (image.level ? "level " + level_in_words(*image.level) : "image " + std::to_string(image.image)) +
+                " of " + std::to_string(image.width) + " x " + std::to_string(image.height) + ": " +
+                counted(image.taps, "tap") + " of weight " + short_number(image.weight));
+    return text;
+}
+
+std::string tap_lines(const Reading& reading) {
+    std::string text = line("taps", "image column row weight value (r g b)");
+    for (std::size_t i = 0; i < std::min(most_listed_taps, reading.taps.size()); ++i) {
+        const auto& [tap, value] = reading.taps[i];
+        text += line("", std::to_string(tap.image) + " " + std::to_string(tap.column) + " " +
+                             std::to_string(tap.row) + " " + short_number(tap.weight) + " " +
+                             rgb_in_words(value));
+    }
+    if (reading.taps.size() > most_listed_taps)
+        text += line("", counted(reading.taps.size() - most_listed_taps, "further tap"));
+    return text;
+}
+
+}  // namespace
+
+std::string why(const PixelInspection& one) {
+    if (one.texture_width == 0) return "no texture is seen at the pixel's centre";
+    if (!one.reading) return "not told: nobody records what this sampler reads";
+    const std::string begin = what_is_read(one) + ": ";
+    if (!one.exact) return begin + "not told, since the truth is sampled there";
+    if (one.exact->wraps) return begin + "not told, since the pixel covers more than the texture";
+    if (one.findings.empty()) return begin + "none of blur, alias and shift";
+    std::string text;
+    for (const WeightFinding& finding : one.findings)
+        text += (text.empty() ? "" : "; ") + one_finding(finding);
+    return begin + text;
+}
+
+std::string in_a_line(const PixelInspection& one) {
+    return "pixel " + std::to_string(one.x) + "," + std::to_string(one.y) + ", " + one.label + ": " +
+           why(one) + "\n";
+}
+
+std::string in_words(const PixelInspection& one) {
+    std::string text = in_a_line(one);
+    if (one.texture_width == 0) return text;
+    text += footprint_lines(one);
+    if (one.reading) {
+        text += image_lines(*one.reading);
+        text += weights_line(one, "weights", one.reading->kernel, one.reading->shape);
+    }
+    if (one.exact) text += weights_line(one, "exact", one.exact->kernel, one.exact->shape);
+    if (one.reading)
+        text += tap_lines(*one.reading) +
+                line("result", rgb_in_words(one.result) + " = factor " + rgb_in_words(one.factor) +
+                                   " x the sum of weight x value");
+    if (one.exact)
+        text +=
+            line("exact mean", rgb_in_words(one.factor * one.exact->mean) + " of the texels of this surface");
+    return text;
+}
+
+}  // namespace zproof

@@ -1,0 +1,55 @@
+#include "filters/study/published.h"
+
+#include <gtest/gtest.h>
+
+namespace zproof::study {
+namespace {
+
+std::vector<PublishedFigure> figures_of(std::string_view name) {
+    for (const PublishedResult& result : published_results())
+        if (result.name == name) return result.figures();
+    ADD_FAILURE() << name;
+    return {};
+}
+
+TEST(PublishedResults, CrowsTableIsTheMeanItself) {
+    const auto figures = figures_of("crow-1984");
+    ASSERT_EQ(figures.size(), 3u);
+    for (const PublishedFigure& figure : figures)
+        EXPECT_NEAR(figure.ours, figure.published, 1e-4) << figure.what;
+}
+
+/// Sums of 256 x 256 texels grow to 2^15 or so; without their mean they stay near 2^9.
+TEST(PublishedResults, AnOffsetGainsBitsOfASummedAreaTable) {
+    const auto figures = figures_of("hensley-2005");
+    ASSERT_EQ(figures.size(), 2u);
+    for (const PublishedFigure& figure : figures) {
+        EXPECT_GT(figure.ours, 25) << figure.what;
+        EXPECT_LT(figure.ours, 45) << figure.what;
+    }
+}
+
+TEST(PublishedResults, MomentsOverABoxBoundTheShareAboveALevel) {
+    const auto figures = figures_of("lauritzen-2007");
+    ASSERT_EQ(figures.size(), 2u);
+    for (const PublishedFigure& figure : figures) EXPECT_LT(figure.ours, 1e-9) << figure.what;
+}
+
+TEST(PublishedResults, FourBilinearReadsAreABSplineOf16Taps) {
+    EXPECT_LT(figures_of("sigg-hadwiger-2005").at(0).ours, 1e-6);
+}
+
+TEST(PublishedResults, MoreSamplesHaveLessVariance) {
+    for (const PublishedFigure& figure : figures_of("stochastic-variance"))
+        EXPECT_NEAR(figure.ours / figure.published, 1, 0.05) << figure.what;
+}
+
+TEST(PublishedResults, TheWorkedSetUpIsFoundToATenthOfADecibel) {
+    const auto figures = figures_of("worked");
+    ASSERT_EQ(figures.size(), 14u);
+    for (const PublishedFigure& figure : figures)
+        EXPECT_NEAR(figure.ours, figure.published, 0.1) << figure.what;
+}
+
+}  // namespace
+}  // namespace zproof::study
