@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/arguments.h"
-#include "cli/exit_code.h"
+#include "program/exit_code.h"
 #include "reports/results.h"
 
 namespace zproof {

@@ -5,21 +5,18 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "cli/common_arguments.h"
-#include "cli/filter_choice.h"
-#include "cli/filters/arguments.h"
 #include "cli/gate/arguments.h"
 #include "cli/gate/shard.h"
 #include "cli/plan/arguments.h"
 #include "cli/renderers/choice.h"
 #include "cli/report_files.h"
 #include "cli/run_size.h"
-#include "cli/study/arguments.h"
 #include "cli/views_arguments.h"
 #include "oracle/reference_cache.h"
+#include "program/command.h"
+#include "program/common_arguments.h"
 
 namespace zproof {
 
@@ -95,8 +92,8 @@ struct RenderArguments {
     std::string scene;
     std::filesystem::path models;  ///< where view files' models may lie; empty: beside them only
     RendererChoice renderer;
-    std::optional<FilterChoice> filter;  ///< also write the textures, read this way
-    bool attributes = false;             ///< also write what our rasterizer interpolates over the triangles
+    std::string filter;       ///< also write the textures, read this way; empty: not
+    bool attributes = false;  ///< also write what our rasterizer interpolates over the triangles
     RenderSettings settings;
 };
 
@@ -160,36 +157,11 @@ struct RandomScenesArguments {
     RandomChoice random{.count = 12};
 };
 
-/// Text that the command line asked for: --help, --version, a completion, the manual page.
-struct Answered {
-    CommonArguments common;
-    std::string text;
-};
-
-using Command =
-    std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
-                 FitArguments, SelfcheckArguments, ContractCheckArguments, SelftestArguments, MergeArguments,
-                 ReportAgainArguments, DiffResultsArguments, WaiveListArguments, WaiveCheckArguments,
-                 WaivePruneArguments, WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments,
-                 RandomScenesArguments, PlanArguments, ViewsArguments, FiltersRunArguments,
-                 FiltersListArguments, FiltersScenesArguments, FiltersTableArguments,
-                 FiltersReproduceArguments, FiltersFigureArguments, FiltersCrowArguments,
-                 FiltersCheckArguments, FiltersExplainArguments, StudyArguments, Answered>;
-
-/// What the command shares with every other.
-const CommonArguments& common_of(const Command& command);
-
 /// The run that a plan's words mean; they hold all its settings. Throws as parse_command_line() does.
 RunArguments planned_run(const std::vector<std::string>& argv);
 
 /// What is not typed is taken from the settings (docs/gate.md). Throws UsageError, and ReportError where a
 /// settings file that is named cannot be read.
 Command parse_command_line(int argc, const char* const* argv, const Environment& environment);
-
-/// The word as a POSIX shell must be given it.
-std::string shell_quoted(const std::string& word);
-
-/// "zproof" and the words, each quoted as it must be.
-std::string shell_line(const std::vector<std::string>& words);
 
 }  // namespace zproof

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "cli/nearest_word.h"
 #include "compare/attributes/attribute_check.h"
+#include "program/nearest_word.h"
 
 namespace zproof {
 namespace {

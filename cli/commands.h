@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cli/arguments.h"
-#include "cli/exit_code.h"
+#include "program/exit_code.h"
 
 namespace zproof {
 
@@ -82,44 +82,5 @@ ExitCode execute(const RandomScenesArguments& arguments);
 /// Writes a view file of a model from another program's cameras, and prints by how much they had to be
 /// changed. SceneError where they are no pinholes or no rotations.
 ExitCode execute(const ViewsArguments& arguments);
-
-/// Holds texture filters to the truth, scene by scene, and writes a study (docs/filters.md). SceneError for a
-/// scene that there is not. An interrupt ends it after the method in hand; what was done is written.
-ExitCode execute(const FiltersRunArguments& arguments);
-
-/// Prints the filter methods with their definitions, the metrics and the filter scenes.
-ExitCode execute(const FiltersListArguments& arguments);
-
-/// Writes filter scenes as NAME.glb and NAME.view.json. SceneError for one that there is not, before anything
-/// is written.
-ExitCode execute(const FiltersScenesArguments& arguments);
-
-/// Prints a study's table.
-ExitCode execute(const FiltersTableArguments& arguments);
-
-/// Prints published figures beside those that zproof computes.
-ExitCode execute(const FiltersReproduceArguments& arguments);
-
-/// Makes a study's figures and page again, as chosen.
-ExitCode execute(const FiltersFigureArguments& arguments);
-
-/// Holds pictures of filters against the filter reference of their method and prints what is outside, by how
-/// much and which rule is at fault; a defect where anything is. UsageError where a method has no filter
-/// reference.
-ExitCode execute(const FiltersCheckArguments& arguments);
-
-/// Prints what methods read at one pixel of a view, beside what the pixel covers. UsageError for a pixel
-/// outside the view.
-ExitCode execute(const FiltersExplainArguments& arguments);
-
-/// Writes the page that answers the lecture's questions about Crow 1984.
-ExitCode execute(const FiltersCrowArguments& arguments);
-
-/// Performs a study and writes its folder, terminal table included (cli/study/study.h). SceneError for a
-/// scene that there is not. An interrupt ends it after the view in hand; what was done is written.
-ExitCode execute(const StudyArguments& arguments);
-
-/// Prints the text that was asked for.
-ExitCode execute(const Answered& answered);
 
 }  // namespace zproof

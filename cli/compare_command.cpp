@@ -4,9 +4,9 @@
 #include "cli/gate/shard.h"
 #include "cli/judgement.h"
 #include "cli/renderers/registry.h"
-#include "cli/samples.h"
-#include "cli/usage_error.h"
 #include "oracle/convention/stored_frame.h"
+#include "program/samples.h"
+#include "program/usage_error.h"
 
 namespace zproof {
 namespace {

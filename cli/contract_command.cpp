@@ -4,14 +4,14 @@
 #include <optional>
 
 #include "cli/commands.h"
-#include "cli/interrupt.h"
 #include "cli/labelled_candidate.h"
 #include "cli/renderers/registry.h"
-#include "cli/threads.h"
-#include "cli/work_progress.h"
 #include "compare/diagnosis/diagnosis.h"
 #include "compare/explanation/explain.h"
 #include "oracle/oracle_error.h"
+#include "program/interrupt.h"
+#include "program/threads.h"
+#include "program/work_progress.h"
 #include "reports/diagnosis_words.h"
 #include "reports/wording.h"
 #include "scenes/suite.h"

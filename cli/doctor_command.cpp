@@ -6,11 +6,12 @@
 #include "cli/command_line/tree.h"
 #include "cli/commands.h"
 #include "cli/renderers/registry.h"
-#include "cli/settings/apply.h"
-#include "cli/usage_error.h"
-#include "cli/version.h"
 #include "frame/input_file.h"
 #include "math/processor.h"
+#include "program/companion.h"
+#include "program/settings/apply.h"
+#include "program/usage_error.h"
+#include "program/version.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -94,6 +95,14 @@ std::vector<std::string> programs_among(const ChosenRenderers& renderers) {
     return programs;
 }
 
+void print_programs() {
+    std::cout << "programs\n";
+    for (const Companion& companion : companions()) {
+        const auto program = program_of(companion);
+        print_row("zproof-" + std::string{companion.command}, program ? program->string() : "absent");
+    }
+}
+
 void print_file(const SettingsChoice& choice) {
     const auto file = find_settings_file(choice, of_process);
     const std::string profile = chosen_profile(choice, file, of_process);
@@ -105,6 +114,7 @@ void print_file(const SettingsChoice& choice) {
 void print_state(const SettingsChoice& choice, const SettingValues& effective, const CLI::App& run) {
     print_machine();
     print_renderers();
+    print_programs();
     print_file(choice);
     for (const Setting& setting : known_settings())
         print_setting(setting, effective, run.get_option(option_name(setting.name)));

@@ -6,12 +6,12 @@
 #include "cli/memory.h"
 #include "cli/renderers/registry.h"
 #include "cli/result_line.h"
-#include "cli/samples.h"
-#include "cli/scene_selection.h"
-#include "cli/threads.h"
-#include "cli/usage_error.h"
 #include "compare/explanation/explain.h"
 #include "frame/printable.h"
+#include "program/samples.h"
+#include "program/scene_selection.h"
+#include "program/threads.h"
+#include "program/usage_error.h"
 #include "scenes/judged_ranges.h"
 
 namespace zproof {

@@ -5,14 +5,14 @@
 #include <optional>
 
 #include "cli/announcement.h"
-#include "cli/interrupt.h"
 #include "cli/progress.h"
-#include "cli/published.h"
 #include "cli/shrinker.h"
 #include "cli/supervision.h"
-#include "cli/threads.h"
-#include "cli/version.h"
 #include "math/processor.h"
+#include "program/interrupt.h"
+#include "program/published.h"
+#include "program/threads.h"
+#include "program/version.h"
 #include "reports/extent.h"
 #include "reports/output_folder.h"
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "cli/arguments.h"
-#include "cli/exit_code.h"
 #include "cli/scene_run.h"
-#include "cli/scene_selection.h"
+#include "program/exit_code.h"
+#include "program/scene_selection.h"
 
 namespace zproof {
 

@@ -3,16 +3,16 @@
 #include <stdexcept>
 
 #include "cli/commands.h"
-#include "cli/interrupt.h"
 #include "cli/measured_renderer.h"
 #include "cli/renderers/registry.h"
 #include "cli/result_line.h"
-#include "cli/threads.h"
-#include "cli/work_progress.h"
 #include "frame/precision_text.h"
 #include "frame/whole_file.h"
 #include "measure/measure.h"
 #include "measure/promise.h"
+#include "program/interrupt.h"
+#include "program/threads.h"
+#include "program/work_progress.h"
 #include "reports/measurement_report.h"
 
 namespace zproof {

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/exit_code.h"
+#include "program/exit_code.h"
 #include "reports/results.h"
 
 namespace zproof {

@@ -9,8 +9,8 @@
 #include "cli/plan/unknown_scene.h"
 #include "cli/report_files.h"
 #include "cli/selected_scenes.h"
-#include "cli/version.h"
 #include "frame/whole_file.h"
+#include "program/version.h"
 #include "reports/plan.h"
 #include "reports/wording.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/work_progress.h"
+#include "program/work_progress.h"
 #include "reports/results.h"
 
 namespace zproof {

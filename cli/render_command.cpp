@@ -1,19 +1,19 @@
 #include <iostream>
 
 #include "cli/commands.h"
-#include "cli/folder_names.h"
-#include "cli/interrupt.h"
 #include "cli/memory.h"
-#include "cli/published.h"
 #include "cli/renderers/registry.h"
-#include "cli/samples.h"
-#include "cli/scene_selection.h"
-#include "cli/threads.h"
-#include "cli/work_progress.h"
 #include "image_io/image_io.h"
+#include "program/companion.h"
+#include "program/folder_names.h"
+#include "program/interrupt.h"
+#include "program/published.h"
+#include "program/samples.h"
+#include "program/scene_selection.h"
+#include "program/threads.h"
+#include "program/work_progress.h"
 #include "rasterizer/interpolation.h"
 #include "rasterizer/shading.h"
-#include "rasterizer/texturing.h"
 #include "reports/output_folder.h"
 #include "reports/pictures.h"
 #include "scenes/judged_ranges.h"
@@ -32,9 +32,36 @@ void write_colours(const std::string& stem, const Picture& picture) {
     write_png(stem + ".png", picture_of_light(picture));
 }
 
+/// What `zproof filters filtered` is asked; without frames, whether it understands the words.
+std::vector<std::string> filtered_words(const RenderArguments& arguments,
+                                        const std::filesystem::path& frames) {
+    const auto& [resolution, samples, sample_word] = arguments.settings;
+    std::vector<std::string> words{"filtered",  arguments.scene,
+                                   "--filter",  arguments.filter,
+                                   "--width",   std::to_string(resolution.width),
+                                   "--height",  std::to_string(resolution.height),
+                                   "--threads", std::to_string(arguments.common.threads)};
+    const auto add = [&](const char* option, const std::string& word) {
+        if (!word.empty()) words.insert(words.end(), {option, word});
+    };
+    add("--models", arguments.models.string());
+    add("--sample", sample_word);
+    add("--frames", frames.string());
+    return words;
+}
+
+void require_done(int status) {
+    if (status != 0)
+        throw std::runtime_error{"the filter's program ended with status " + std::to_string(status)};
+}
+
 }  // namespace
 
 ExitCode execute(const RenderArguments& arguments) {
+    if (!arguments.filter.empty())
+        if (const int status = status_of(*companion_named("filters"), filtered_words(arguments, {}));
+            status != 0)
+            return ExitCode{status};
     const Loaded loaded =
         load(select_scene(arguments.scene, arguments.models), arguments.settings.resolution);
     const std::vector<View> views = at_samples(loaded.views, arguments.settings.samples);
@@ -55,11 +82,10 @@ ExitCode execute(const RenderArguments& arguments) {
             if (arguments.attributes) frame.attributes = rasterizer::attributes_of(loaded.scene, view, frame);
             write_planes(stem, frame);
             write_colours(stem.string() + "-colour", rasterizer::shade(loaded.scene, view, frame, Light{}));
-            if (arguments.filter)
-                write_colours(stem.string() + "-filtered",
-                              rasterizer::filtered(loaded.scene, view, frame, arguments.filter->texturing));
         }
     });
+    if (!arguments.filter.empty() && !interrupted())
+        require_done(status_of(*companion_named("filters"), filtered_words(arguments, out.working())));
     const bool all_written = written.size() == views.size();
     const std::filesystem::path place =
         publish(out, arguments.common, all_written ? Completeness::full : Completeness::partial);

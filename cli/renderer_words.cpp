@@ -5,10 +5,10 @@
 #include <chrono>
 #include <memory>
 
-#include "cli/nearest_word.h"
 #include "cli/renderers/kept_input.h"
 #include "cli/renderers/registry.h"
-#include "cli/usage_error.h"
+#include "program/nearest_word.h"
+#include "program/usage_error.h"
 
 namespace zproof {
 namespace {

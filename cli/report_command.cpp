@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "cli/commands.h"
-#include "cli/threads.h"
-#include "cli/usage_error.h"
 #include "frame/printable.h"
 #include "frame/whole_file.h"
+#include "program/threads.h"
+#include "program/usage_error.h"
 #include "reports/pages/folder.h"
 #include "reports/report_error.h"
 

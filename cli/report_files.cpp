@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "cli/nearest_word.h"
-#include "cli/usage_error.h"
 #include "frame/whole_file.h"
+#include "program/nearest_word.h"
+#include "program/usage_error.h"
 #include "reports/csv.h"
 #include "reports/github.h"
 #include "reports/html.h"

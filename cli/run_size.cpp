@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "cli/settings.h"
+#include "program/settings.h"
 
 namespace zproof {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/scene_selection.h"
+#include "program/scene_selection.h"
 
 namespace zproof {
 

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "cli/arguments.h"
-#include "cli/folder_names.h"
 #include "cli/gate/gate.h"
 #include "cli/outcome_code.h"
 #include "cli/progress.h"
 #include "cli/renderers/choice.h"
-#include "cli/scene_selection.h"
 #include "oracle/reference_cache.h"
+#include "program/folder_names.h"
+#include "program/scene_selection.h"
 #include "reports/results.h"
 
 namespace zproof {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/arguments.h"
-#include "cli/scene_selection.h"
+#include "program/scene_selection.h"
 #include "reports/results.h"
 
 namespace zproof {

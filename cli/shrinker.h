@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cli/scene_run.h"
-#include "cli/scene_selection.h"
+#include "program/scene_selection.h"
 #include "reports/results.h"
 
 namespace zproof {

@@ -1,7 +1,7 @@
 /// Where the time of a scene goes, kept while it goes: also a stage that fails has taken its time.
 #pragma once
 
-#include "cli/stopwatch.h"
+#include "program/stopwatch.h"
 #include "reports/results.h"
 
 namespace zproof {

@@ -2,8 +2,8 @@
 #include <iostream>
 
 #include "cli/commands.h"
-#include "cli/nearest_word.h"
-#include "cli/written_scenes.h"
+#include "program/nearest_word.h"
+#include "program/written_scenes.h"
 #include "scenes/random_scenes.h"
 #include "scenes/scene_error.h"
 #include "scenes/suite.h"
@@ -61,11 +61,6 @@ ExitCode execute(const RandomScenesArguments& arguments) {
         loaded.scene.name = name;
         return loaded;
     });
-}
-
-ExitCode execute(const Answered& answered) {
-    std::cout << answered.text;
-    return ExitCode::proven;
 }
 
 }  // namespace zproof

@@ -6,9 +6,9 @@
 #include <set>
 #include <stdexcept>
 
-#include "cli/interrupt.h"
-#include "cli/usage_error.h"
 #include "cli/worker.h"
+#include "program/interrupt.h"
+#include "program/usage_error.h"
 #include "reports/json.h"
 
 namespace zproof {

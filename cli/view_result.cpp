@@ -6,8 +6,9 @@
 #include <sstream>
 
 #include "cli/arguments.h"
-#include "cli/samples.h"
 #include "compare/explanation/explain.h"
+#include "program/samples.h"
+#include "program/shell_line.h"
 
 namespace zproof {
 namespace {

@@ -8,9 +8,10 @@
 #include <unordered_map>
 
 #include "cli/arguments.h"
-#include "cli/samples.h"
 #include "compare/explanation/illustration.h"
 #include "image_io/image_io.h"
+#include "program/samples.h"
+#include "program/shell_line.h"
 #include "reports/planes/view_planes.h"
 
 namespace zproof {

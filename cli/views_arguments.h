@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "cli/common_arguments.h"
+#include "program/common_arguments.h"
 #include "scenes/import/calibrated_camera.h"
 
 namespace zproof {

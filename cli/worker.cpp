@@ -15,16 +15,16 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cli/exit_code.h"
-#include "cli/interrupt.h"
 #include "cli/renderers/registry.h"
 #include "cli/shrinker.h"
-#include "cli/threads.h"
-#include "cli/usage_error.h"
 #include "oracle/embree.h"
 #include "oracle/oracle_error.h"
 #include "oracle/scratch_folder.h"
 #include "oracle/subprocess.h"
+#include "program/exit_code.h"
+#include "program/interrupt.h"
+#include "program/threads.h"
+#include "program/usage_error.h"
 #include "reports/json.h"
 
 namespace zproof {

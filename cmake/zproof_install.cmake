@@ -19,10 +19,11 @@ endforeach()
 set_target_properties(zproof_strict PROPERTIES EXPORT_NAME strict)
 install(TARGETS ${zproof_targets} EXPORT zproof ARCHIVE COMPONENT libzproof-dev)
 install(TARGETS zproof EXPORT zproof RUNTIME COMPONENT zproof)
+install(TARGETS zproof-filters zproof-study RUNTIME COMPONENT zproof)
 # The image module, and the run path by which the program finds it: beside itself, or here.
 set(module_folder ${CMAKE_INSTALL_LIBDIR}/zproof)
 file(RELATIVE_PATH module_from_program /${CMAKE_INSTALL_BINDIR} /${module_folder})
-set_target_properties(zproof PROPERTIES INSTALL_RPATH "$ORIGIN;$ORIGIN/${module_from_program}")
+set_target_properties(zproof zproof-filters zproof-study PROPERTIES INSTALL_RPATH "$ORIGIN;$ORIGIN/${module_from_program}")
 install(TARGETS zproof_image_io_module LIBRARY DESTINATION ${module_folder} COMPONENT zproof)
 install(EXPORT zproof NAMESPACE zproof:: DESTINATION ${zproof_cmake_folder} FILE zproof-targets.cmake
         COMPONENT libzproof-dev)
@@ -56,7 +57,7 @@ configure_file(${CMAKE_CURRENT_LIST_DIR}/zproof.pc.in ${PROJECT_BINARY_DIR}/zpro
 install(FILES ${PROJECT_BINARY_DIR}/zproof.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT libzproof-dev)
 
 # What a shell and man(1) want to know, as the program itself writes it.
-add_custom_command(OUTPUT shell/zproof.1.gz shell/zproof shell/_zproof shell/zproof.fish DEPENDS zproof
+add_custom_command(OUTPUT shell/zproof.1.gz shell/zproof shell/_zproof shell/zproof.fish DEPENDS zproof zproof-filters zproof-study
     COMMAND ${CMAKE_COMMAND} -E make_directory shell
     COMMAND zproof man > shell/zproof.1
     COMMAND gzip -9 -n -f shell/zproof.1

@@ -30,16 +30,18 @@ const std::map<std::string, Names> may_include{
     {"compare", {"math", "frame", "scenes"}},             // judges evidence; never meets a renderer
     {"measure", {"math", "frame", "scenes", "compare"}},  // is handed a renderer as a function; knows none
     {"reports", {"math", "compare", "measure", "frame", "image_io"}},  // shows results; never computes one
+    {"program",
+     {"math", "frame", "scenes", "oracle", "compare", "reports"}},  // what every program is made of
     {"filters",
-     {"math", "frame", "image_io", "scenes", "texture", "rasterizer", "oracle", "compare",
-      "reports"}},  // holds a method to its truth
-    {"lessons", {"math", "frame", "scenes", "rasterizer", "oracle", "compare", "reports"}},
+     {"math", "frame", "image_io", "scenes", "texture", "rasterizer", "oracle", "compare", "reports",
+      "program"}},  // holds a method to its truth
+    {"lessons", {"math", "frame", "scenes", "rasterizer", "oracle", "compare", "reports", "program"}},
     {"zproof",
      {"math", "frame", "image_io", "scenes", "rasterizer", "oracle", "compare", "reports",
       "filters"}},  // the public interface
     {"cli",
-     {"math", "frame", "image_io", "scenes", "texture", "rasterizer", "oracle", "compare", "measure",
-      "reports", "filters", "lessons"}},
+     {"math", "frame", "image_io", "scenes", "rasterizer", "oracle", "compare", "measure", "reports",
+      "program"}},
 };
 
 /// The judge's own rooms: what each may look into beside itself.
@@ -68,13 +70,20 @@ const std::map<std::string, Names> may_include_from_compare{
 /// Where a foreign library is spoken to; everywhere else it is unknown. <iostream>: library rooms never
 /// print.
 const std::map<std::string, Names> spoken_to_in{
-    {"embree", {"oracle"}},      {"EGL/", {"oracle"}},
-    {"GL/", {"oracle"}},         {"OpenImageIO/", {"image_io"}},
-    {"tiny_gltf.h", {"scenes"}}, {"nlohmann/", {"frame", "scenes", "reports", "filters"}},
-    {"CLI/", {"cli"}},           {"nettle/", {"math"}},
-    {"toml++/", {"cli"}},        {"Eigen/", {"lessons"}},
-    {"iostream", {"cli"}},       {"cstdio", {}},
-    {"isa-l/", {"reports"}},     {"OpenEXR/", {}},
+    {"embree", {"oracle"}},
+    {"EGL/", {"oracle"}},
+    {"GL/", {"oracle"}},
+    {"OpenImageIO/", {"image_io"}},
+    {"tiny_gltf.h", {"scenes"}},
+    {"nlohmann/", {"frame", "scenes", "reports", "program", "filters"}},
+    {"CLI/", {"cli", "program", "filters", "lessons"}},
+    {"nettle/", {"math"}},
+    {"toml++/", {"program"}},
+    {"Eigen/", {"lessons"}},
+    {"iostream", {"cli", "program", "filters", "lessons"}},
+    {"cstdio", {}},
+    {"isa-l/", {"reports"}},
+    {"OpenEXR/", {}},
     {"dlfcn.h", {"image_io"}},
 };
 

@@ -23,8 +23,6 @@ Branch add_doctor(CLI::App& parent, CommandWords& words);
 Branch add_list(CLI::App& parent, CommandWords& words);
 Branch add_scenes(CLI::App& parent, CommandWords& words);
 Branch add_views(CLI::App& parent, CommandWords& words);
-Branch add_filters(CLI::App& parent, CommandWords& words);
-Branch add_study(CLI::App& parent, CommandWords& words);
 Branch add_completion(CLI::App& parent, CommandWords& words);
 Branch add_man(CLI::App& parent, CommandWords& words);
 

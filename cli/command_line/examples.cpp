@@ -1,4 +1,4 @@
-#include "cli/command_line/examples.h"
+#include "cli/command_line/tree.h"
 
 #include <array>
 
@@ -88,76 +88,13 @@ constexpr auto all = std::to_array<Example>({
      "the cameras of a NeRF"},
     {"views", "zproof views opencv cameras.json model.glb --near 0.1 --far 50 -o model.view.json",
      "K, R and t"},
-    {"filters", "zproof filters run checker_plane --view phi-45 --methods nearest,ewa-true -o study",
-     "two methods on one view, held to the truth"},
-    {"filters", "zproof filters table study", "that study's figures on the terminal"},
-    {"filters", "zproof filters check trilinear-gl checker_plane --view phi-45",
-     "does a method compute its own definition?"},
-    {"filters run", "zproof filters run checker_plane --view phi-45 --methods nearest,ewa-true -o study",
-     "two methods on one view"},
-    {"filters run", "zproof filters run checker_plane --view phi-45 --truth B -o study",
-     "every method on one view"},
-    {"filters run", "zproof filters run worked --methods all,sat-strips:n=16", "a method with a setting"},
-    {"filters run", "zproof filters run worked --view phi-0 --picture mine=mine.exr",
-     "your renderer's picture beside them"},
-    {"filters run",
-     "zproof filters run worked --view phi-0 --picture mine=mine.exr --claim mine=trilinear-gl",
-     "and what the method permits it to show"},
-    {"filters run", "zproof filters run model.glb --methods nearest,trilinear-gl,ewa-true",
-     "three methods on a scene of your own"},
-    {"filters list", "zproof filters list", "methods, metrics and scenes"},
-    {"filters scenes", "zproof filters scenes -o scenes", "every filter scene as .glb and .view.json"},
-    {"filters scenes", "zproof filters scenes tunnel worked -o scenes", "two of them"},
-    {"filters reproduce", "zproof filters reproduce", "every published result that zproof computes again"},
-    {"filters reproduce", "zproof filters reproduce hensley-2005", "one of them"},
-    {"filters table", "zproof filters table study", "a study's figures on the terminal"},
-    {"filters table", "zproof filters table study --region silhouette --latex",
-     "another region, as a LaTeX table"},
-    {"filters table", "zproof filters table study --columns psnr,flip,texels --sort psnr", "the best first"},
-    {"filters table", "zproof filters table study --pooled --baseline nearest",
-     "all textures together, with intervals"},
-    {"filters figure", "zproof filters figure study --methods ewa-true,nearest",
-     "plots that name these two in colour"},
-    {"filters figure", "zproof filters figure study --crop 16,24,32,32", "crops of this part of the picture"},
-    {"filters check", "zproof filters check trilinear-gl checker_plane --view phi-45",
-     "one method on one view"},
-    {"filters check", "zproof filters check all", "every method on every filter scene"},
-    {"filters check",
-     "zproof filters check trilinear-gl worked --view phi-0 --picture mine.exr --precision gpu",
-     "your own picture (R, G, B, linear light) of that view"},
-    {"filters explain", "zproof filters explain worked --view phi-45 --pixel 120,60 --method trilinear-gl",
-     "the texels that it reads there, their weights, and the pixel's own"},
-    {"filters crow", "zproof filters crow -o crow", "the lecture's figure and its questions, answered"},
-    {"study", "zproof study projection model.glb -o study", "every route from world to pixel"},
-    {"study", "zproof study depth -o depth", "what each depth format can tell apart"},
-    {"study", "zproof study cost -o cost", "what a frame costs, and what it should"},
-    {"study projection", "zproof study projection",
-     "two scenes of the suite, every route from world to pixel"},
-    {"study projection", "zproof study projection model.glb -o study", "a scene of your own"},
-    {"study depth", "zproof study depth -o depth", "what each depth format can tell apart"},
-    {"study shading", "zproof study shading -o shading", "what interpolation does to light"},
-    {"study cost", "zproof study cost -o cost", "what a frame costs, and what it should"},
     {"completion", "zproof completion bash > zproof.bash", "then: source zproof.bash"},
     {"completion", "zproof completion fish > zproof.fish", "for ~/.config/fish/completions/"},
     {"man", "zproof man > zproof.1", "then: man ./zproof.1"},
 });
 
-constexpr std::size_t column = 40;
-
 }  // namespace
 
-std::span<const Example> examples() { return all; }
-
-std::string examples_in_words(std::string_view command) {
-    std::string text;
-    for (const Example& example : all) {
-        if (example.command != command) continue;
-        std::string line = "  " + std::string{example.line};
-        if (line.size() + 2 > column) line += "\n";
-        const std::size_t used = line.back() == '\n' ? 0 : line.size();
-        text += line + std::string(column - used, ' ') + std::string{example.meaning} + "\n";
-    }
-    return text;
-}
+Examples examples() { return all; }
 
 }  // namespace zproof

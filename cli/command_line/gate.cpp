@@ -1,7 +1,8 @@
 // The commands around the gate: merge, report, diff-results, waive, doctor.
 #include "cli/command_line/branches.h"
 #include "cli/command_line/options.h"
-#include "cli/usage_error.h"
+#include "cli/commands.h"
+#include "program/usage_error.h"
 
 namespace zproof {
 namespace {
@@ -73,10 +74,10 @@ void add_waive_add(CLI::App& waive, CommandWords& words) {
 
 Command chosen_waive_command(const CLI::App& app, const CommandWords& words) {
     const auto typed = [&](const char* name) { return app.get_subcommand(name)->parsed(); };
-    if (typed("list")) return words.waive_list;
-    if (typed("check")) return words.waive_check;
-    if (typed("prune")) return words.waive_prune;
-    if (typed("add")) return words.waive_add;
+    if (typed("list")) return command_of(words.waive_list, "cannot list the waivers");
+    if (typed("check")) return command_of(words.waive_check, "cannot check the waivers");
+    if (typed("prune")) return command_of(words.waive_prune, "cannot prune the waivers");
+    if (typed("add")) return command_of(words.waive_add, "cannot add a waiver");
     throw UsageError{"waive: 'list', 'check', 'prune' or 'add' expected (see: zproof waive --help)"};
 }
 
@@ -94,7 +95,7 @@ Branch add_merge(CLI::App& parent, CommandWords& words) {
     add_report(app, words.merge.report);
     add_settings_choice(app, words.settings);
     app.footer(merge_remark);
-    return {&app, [&words] { return words.merge; }};
+    return {&app, [&words] { return command_of(words.merge, "cannot merge"); }};
 }
 
 Branch add_report_again(CLI::App& parent, CommandWords& words) {
@@ -109,7 +110,7 @@ Branch add_report_again(CLI::App& parent, CommandWords& words) {
         "--format", [&again](const std::string& word) { again.format = format_from(word); },
         "html, json, junit, md, github or csv; default: by the file's name");
     app.footer(report_remark);
-    return {&app, [&words] { return words.report_again; }};
+    return {&app, [&words] { return command_of(words.report_again, "cannot report"); }};
 }
 
 Branch add_diff_results(CLI::App& parent, CommandWords& words) {
@@ -121,7 +122,7 @@ Branch add_diff_results(CLI::App& parent, CommandWords& words) {
         "--json", [&words] { words.diff_results.format = DifferenceFormat::json; },
         "print JSON instead of a table");
     app.footer(diff_remark);
-    return {&app, [&words] { return words.diff_results; }};
+    return {&app, [&words] { return command_of(words.diff_results, "cannot compare the results"); }};
 }
 
 Branch add_waive(CLI::App& parent, CommandWords& words) {
@@ -141,7 +142,7 @@ Branch add_doctor(CLI::App& parent, CommandWords& words) {
     add_settings_choice(app, words.settings);
     return {&app, [&words] {
                 words.doctor.settings = words.settings;
-                return words.doctor;
+                return command_of(words.doctor, "cannot examine");
             }};
 }
 

@@ -1,10 +1,11 @@
 // The commands that judge: run, compare, explain.
 #include "cli/command_line/branches.h"
 #include "cli/command_line/options.h"
+#include "cli/commands.h"
 #include "cli/gate/shard.h"
 #include "cli/plan/typed_out.h"
 #include "cli/run_size.h"
-#include "cli/usage_error.h"
+#include "program/usage_error.h"
 
 namespace zproof {
 namespace {
@@ -120,7 +121,7 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
                 run.shard = shard_from(words.shard, !run.plan.empty(), words.environment);
                 if (words.shard.empty() && run.shard_status == ShardStatus::ok_where_written)
                     throw UsageError{"--exit-zero: is of shards; expected --shard beside it"};
-                return run;
+                return command_of(run, "cannot judge");
             }};
 }
 
@@ -144,7 +145,7 @@ Branch add_plan(CLI::App& parent, CommandWords& words) {
            "the table [profiles.NAME] of the settings file; several: a run of each, one renderer each")
         ->allow_extra_args(false);
     app.footer(plan_remark);
-    return {&app, [&words] { return words.plan; }};
+    return {&app, [&words] { return command_of(words.plan, "cannot plan"); }};
 }
 
 Branch add_compare(CLI::App& parent, CommandWords& words) {
@@ -165,7 +166,7 @@ Branch add_compare(CLI::App& parent, CommandWords& words) {
     app.footer(compare_remark);
     return {&app, [&words] {
                 words.compare.renderers = chosen_renderers(words.renderers);
-                return words.compare;
+                return command_of(words.compare, "cannot judge");
             }};
 }
 
@@ -185,7 +186,7 @@ Branch add_explain(CLI::App& parent, CommandWords& words) {
     add_samples(app, explain.settings);
     return {&app, [&words] {
                 words.explain.renderers = chosen_renderers(words.renderers);
-                return words.explain;
+                return command_of(words.explain, "cannot judge");
             }};
 }
 

@@ -2,7 +2,8 @@
 // contract-check, selftest, list, scenes.
 #include "cli/command_line/branches.h"
 #include "cli/command_line/options.h"
-#include "cli/usage_error.h"
+#include "cli/commands.h"
+#include "program/usage_error.h"
 
 namespace zproof {
 namespace {
@@ -44,12 +45,11 @@ Branch add_render(CLI::App& parent, CommandWords& words) {
                  "also write barycentrics, uv, normals and positions, as our rasterizer interpolates them");
     add_render_settings(app, words.render.settings);
     add_samples(app, words.render.settings);
-    app.footer("\nSettings of a filter, NAME:key=value:key=value:\n" + filter_settings_help());
+    app.footer("\nFilters: zproof filters list. Their settings: zproof filters run --help.");
     return {&app, [&words] {
                 words.render.renderer = candidate_of(words.renderers);
-                if (!words.renderers.filter.empty())
-                    words.render.filter = filter_choice(words.renderers.filter);
-                return words.render;
+                words.render.filter = words.renderers.filter;
+                return command_of(words.render, "cannot render");
             }};
 }
 
@@ -71,7 +71,7 @@ Branch add_measure(CLI::App& parent, CommandWords& words) {
     app.footer(measure_remark);
     return {&app, [&words] {
                 words.measure.renderer = candidate_of(words.renderers);
-                return words.measure;
+                return command_of(words.measure, "cannot measure");
             }};
 }
 
@@ -96,7 +96,7 @@ Branch add_fit(CLI::App& parent, CommandWords& words) {
     app.footer(fit_remark);
     return {&app, [&words] {
                 words.fit.renderer = candidate_of(words.renderers);
-                return words.fit;
+                return command_of(words.fit, "cannot fit");
             }};
 }
 
@@ -112,7 +112,7 @@ Branch add_selfcheck(CLI::App& parent, CommandWords& words) {
     app.footer(selfcheck_remark);
     return {&app, [&words] {
                 words.selfcheck.renderer = candidate_of(words.renderers);
-                return words.selfcheck;
+                return command_of(words.selfcheck, "cannot check the renderer");
             }};
 }
 
@@ -130,7 +130,7 @@ Branch add_contract_check(CLI::App& parent, CommandWords& words) {
     app.footer(contract_remark);
     return {&app, [&words] {
                 words.contract_check.renderer = candidate_of(words.renderers);
-                return words.contract_check;
+                return command_of(words.contract_check, "cannot check the contract");
             }};
 }
 
@@ -139,13 +139,13 @@ Branch add_selftest(CLI::App& parent, CommandWords& words) {
         *parent.add_subcommand("selftest", "see the gate fail: inject known faults into good frames");
     add_common(app, words.selftest.common);
     add_isa(app);
-    return {&app, [&words] { return words.selftest; }};
+    return {&app, [&words] { return command_of(words.selftest, "cannot test the gate"); }};
 }
 
 Branch add_list(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("list", "the built-in suite: each scene with its reason");
     add_common(app, words.list.common);
-    return {&app, [&words] { return words.list; }};
+    return {&app, [&words] { return command_of(words.list, "cannot list the suite"); }};
 }
 
 Branch add_scenes(CLI::App& parent, CommandWords& words) {
@@ -156,8 +156,8 @@ Branch add_scenes(CLI::App& parent, CommandWords& words) {
     add_common(generate, words.generate.common, "folder for the files");
     CLI::App& drawn = add_random_scenes(app, words.random_scenes);
     return {&app, [&words, &generate, &drawn]() -> Command {
-                if (generate.parsed()) return words.generate;
-                if (drawn.parsed()) return words.random_scenes;
+                if (generate.parsed()) return command_of(words.generate, "cannot generate");
+                if (drawn.parsed()) return command_of(words.random_scenes, "cannot write the scenes");
                 throw UsageError{"scenes: 'generate' or 'random' expected (see: zproof scenes --help)"};
             }};
 }

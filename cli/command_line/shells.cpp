@@ -1,9 +1,11 @@
 // The commands that write what a shell and man(1) want to know of zproof.
 #include "cli/command_line/branches.h"
 #include "cli/command_line/options.h"
-#include "cli/command_line/outline.h"
-#include "cli/completion/scripts.h"
-#include "cli/manual/page.h"
+#include "cli/command_line/tree.h"
+#include "cli/commands.h"
+#include "program/command_line/outline.h"
+#include "program/completion/scripts.h"
+#include "program/manual/page.h"
 
 namespace zproof {
 namespace {
@@ -21,8 +23,8 @@ Branch add_completion(CLI::App& parent, CommandWords& words) {
         ->check(CLI::IsMember({"bash", "fish", "zsh"}));
     add_common(app, words.completion.common);
     return {&app, [&] {
-                words.completion.text = writers.at(words.shell)(outline_of(parent));
-                return words.completion;
+                words.completion.text = writers.at(words.shell)(whole_outline(parent));
+                return command_of(words.completion, "cannot answer");
             }};
 }
 
@@ -30,8 +32,8 @@ Branch add_man(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("man", "the manual page, in roff");
     add_common(app, words.manual.common);
     return {&app, [&] {
-                words.manual.text = manual_page(outline_of(parent));
-                return words.manual;
+                words.manual.text = manual_page(whole_outline(parent));
+                return command_of(words.manual, "cannot answer");
             }};
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/command_line/words.h"
+#include "program/command_line/outline.h"
 
 namespace zproof {
 
@@ -27,5 +28,14 @@ class CommandTree {
     std::unique_ptr<CLI::App> root_;
     std::vector<Branch> branches_;
 };
+
+/// The worked examples of zproof's commands.
+Examples examples();
+
+/// What names of options stand for, for completion.
+NameMeanings meanings_of_names();
+
+/// Everything that zproof can parse, with the commands of the programs beside it.
+OutlineCommand whole_outline(const CLI::App& root);
 
 }  // namespace zproof

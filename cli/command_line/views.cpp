@@ -1,7 +1,8 @@
 // The command that reads other programs' cameras: views.
 #include "cli/command_line/branches.h"
 #include "cli/command_line/options.h"
-#include "cli/usage_error.h"
+#include "cli/commands.h"
+#include "program/usage_error.h"
 
 namespace zproof {
 namespace {
@@ -44,7 +45,7 @@ Branch add_views(CLI::App& parent, CommandWords& words) {
                 if ((size.x == 0) != (size.y == 0))
                     throw UsageError{"views: --width and --height are given together"};
                 if (size.x > 0) words.views.image_size = size;
-                return words.views;
+                return command_of(words.views, "cannot import the views");
             }};
 }
 

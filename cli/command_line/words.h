@@ -45,16 +45,7 @@ struct CommandWords {
     ListArguments list;
     Answered completion, manual;
     SettingsChoice settings;  ///< --config, --profile
-    FiltersWords filters;
-    StudyArguments study;
-    std::string shell;  ///< whose completion
-};
-
-/// A command of the tree, and how its words become arguments once they are read. Throws UsageError where they
-/// mean nothing.
-struct Branch {
-    CLI::App* app;
-    std::function<Command()> understood;
+    std::string shell;        ///< whose completion
 };
 
 }  // namespace zproof

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/common_arguments.h"
 #include "cli/gate/gate.h"
 #include "cli/report_files.h"
-#include "cli/settings/sources.h"
+#include "program/common_arguments.h"
+#include "program/settings/sources.h"
 
 namespace zproof {
 

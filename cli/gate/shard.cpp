@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "cli/gate/shard_environment.h"
-#include "cli/usage_error.h"
 #include "math/sha256.h"
+#include "program/usage_error.h"
 
 namespace zproof {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/scene_selection.h"
-#include "cli/settings/sources.h"
+#include "program/scene_selection.h"
+#include "program/settings/sources.h"
 #include "reports/results.h"
 
 namespace zproof {

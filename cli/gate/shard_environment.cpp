@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cli/gate/shard.h"
-#include "cli/usage_error.h"
+#include "program/usage_error.h"
 
 namespace zproof {
 namespace {

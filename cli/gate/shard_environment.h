@@ -1,7 +1,7 @@
 /// Which shard the surroundings say that this process is.
 #pragma once
 
-#include "cli/settings/sources.h"
+#include "program/settings/sources.h"
 #include "reports/results.h"
 
 namespace zproof {

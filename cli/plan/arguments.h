@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/common_arguments.h"
+#include "program/common_arguments.h"
 
 namespace zproof {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "cli/samples.h"
+#include "program/samples.h"
 
 namespace zproof {
 namespace {

@@ -1,4 +1,5 @@
 #include "cli/plan/missing_shards.h"
+#include "program/shell_line.h"
 
 #include <algorithm>
 #include <cctype>

@@ -7,14 +7,14 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "cli/guarded.h"
-#include "cli/interrupt.h"
 #include "cli/judgement.h"
 #include "cli/outcome_code.h"
 #include "cli/plan/missing_shards.h"
 #include "cli/selected_scenes.h"
-#include "cli/usage_error.h"
-#include "cli/version.h"
+#include "program/guarded.h"
+#include "program/interrupt.h"
+#include "program/usage_error.h"
+#include "program/version.h"
 #include "reports/plan.h"
 #include "reports/report_error.h"
 #include "scenes/scene_error.h"

@@ -2,6 +2,7 @@
 
 #include "cli/arguments.h"
 #include "cli/plan/missing_shards.h"
+#include "program/shell_line.h"
 
 namespace zproof {
 namespace {

@@ -5,28 +5,12 @@
 #include <array>
 
 #include "cli/gate/gate.h"
-#include "cli/usage_error.h"
+#include "program/settings/apply.h"
+#include "program/usage_error.h"
 
 namespace zproof {
 namespace {
 
-constexpr std::array machine_options{"--help",
-                                     "--plan",
-                                     "--shard",
-                                     "--empty-shard",
-                                     "--exit-zero",
-                                     "--out",
-                                     "--threads",
-                                     "--color",
-                                     "--quiet",
-                                     "--progress",
-                                     "--times",
-                                     "--isa",
-                                     "--report",
-                                     "--config",
-                                     "--profile",
-                                     "--reference-cache",
-                                     "--reference-cache-size"};
 constexpr std::array plan_options{"--of", "--from", "--format"};
 
 bool is_among(const auto& options, const std::string& name) {
@@ -44,8 +28,6 @@ void type_out(const CLI::Option& option, std::vector<std::string>& words) {
 }
 
 }  // namespace
-
-bool is_of_the_machine(const std::string& option_name) { return is_among(machine_options, option_name); }
 
 std::vector<std::string> run_typed_out(const CLI::App& app) {
     std::vector<std::string> words{"run"};

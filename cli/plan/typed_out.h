@@ -14,10 +14,6 @@ namespace zproof {
 /// bears on the judgement, and nothing of the machine. It listens to no settings.
 std::vector<std::string> run_typed_out(const CLI::App& app);
 
-/// Is this option about the machine that judges, and where and how it tells of it? No verdict depends on it,
-/// and a plan does not state it.
-bool is_of_the_machine(const std::string& option_name);
-
 /// With a plan nothing else may be typed. Throws UsageError.
 void require_machine_words(const CLI::App& run);
 

@@ -9,9 +9,9 @@
 
 #include "cli/memory.h"
 #include "cli/plan/expected_seconds.h"
-#include "cli/samples.h"
 #include "frame/frame_error.h"
 #include "oracle/isolated.h"
+#include "program/samples.h"
 
 namespace zproof {
 namespace {

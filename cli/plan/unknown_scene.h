@@ -1,8 +1,8 @@
 /// A scene that no earlier run tells of.
 #pragma once
 
-#include "cli/scene_selection.h"
-#include "cli/settings.h"
+#include "program/scene_selection.h"
+#include "program/settings.h"
 #include "reports/plan.h"
 
 namespace zproof {

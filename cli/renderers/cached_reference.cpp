@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "cli/version.h"
 #include "oracle/embree.h"
+#include "program/version.h"
 
 namespace zproof {
 namespace {

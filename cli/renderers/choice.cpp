@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "cli/arguments.h"
-#include "cli/nearest_word.h"
 #include "cli/renderers/registry.h"
-#include "cli/usage_error.h"
 #include "frame/input_file.h"
+#include "program/nearest_word.h"
+#include "program/shell_line.h"
+#include "program/usage_error.h"
 #include "scenes/triangle_labels.h"
 
 namespace zproof {
@@ -71,6 +71,33 @@ std::string options_for(const RendererChoice& choice) {
     if (!convention.empty()) options += " --convention " + shell_quoted(convention);
     if (!channels.empty()) options += " --channels " + shell_quoted(channels);
     return options;
+}
+
+namespace {
+
+constexpr std::string_view index_word = "{sample}";
+
+void fill_in(std::string& text, int index) {
+    for (std::size_t at; (at = text.find(index_word)) != text.npos;)
+        text.replace(at, index_word.size(), std::to_string(index));
+}
+
+}  // namespace
+
+RendererChoice at_sample(RendererChoice choice, const Sample& sample) {
+    auto* stored = std::get_if<StoredFrame>(&choice.who);
+    if (stored == nullptr) return choice;
+    std::string file = stored->file.string();
+    fill_in(file, sample.index);
+    stored->file = file;
+    fill_in(choice.convention.channels, sample.index);
+    return choice;
+}
+
+bool has_frame_for_each_sample(const RendererChoice& choice) {
+    const auto* stored = std::get_if<StoredFrame>(&choice.who);
+    return stored == nullptr || stored->file.string().find(index_word) != std::string::npos ||
+           choice.convention.channels.find(index_word) != std::string::npos;
 }
 
 }  // namespace zproof

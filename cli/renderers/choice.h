@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "frame/precision.h"
+#include "scenes/sample.h"
 
 namespace zproof {
 
@@ -84,5 +85,11 @@ std::string name_of(const RendererChoice& choice);
 /// The options that mean this choice, for a shell, each with a blank before it: " --renderer povray". Empty
 /// for the default, zproof's own rasterizer.
 std::string options_for(const RendererChoice& choice);
+
+/// With the sample's index in the place of {sample}, in the names of a stored frame's file and channels.
+RendererChoice at_sample(RendererChoice choice, const Sample& sample);
+
+/// Does a stored frame's name or do its channels say {sample}? Others are asked for each sample.
+bool has_frame_for_each_sample(const RendererChoice& choice);
 
 }  // namespace zproof

@@ -3,9 +3,9 @@
 #include <system_error>
 #include <utility>
 
-#include "cli/samples.h"
 #include "frame/frame_error.h"
 #include "frame/whole_file.h"
+#include "program/samples.h"
 #include "scenes/glb_writer.h"
 #include "scenes/view_document.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "cli/folder_names.h"
+#include "program/folder_names.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
 

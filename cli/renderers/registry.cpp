@@ -6,9 +6,6 @@
 #include <utility>
 
 #include "cli/renderers/kept_input.h"
-#include "cli/samples.h"
-#include "cli/usage_error.h"
-#include "cli/version.h"
 #include "compare/labels/labelled_frame.h"
 #include "frame/convention_text.h"
 #include "frame/frame_error.h"
@@ -20,6 +17,9 @@
 #include "oracle/oracle_error.h"
 #include "oracle/povray.h"
 #include "oracle/povray/budget.h"
+#include "program/samples.h"
+#include "program/usage_error.h"
+#include "program/version.h"
 #include "rasterizer/rasterizer.h"
 
 namespace zproof {

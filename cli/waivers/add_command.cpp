@@ -7,12 +7,12 @@
 
 #include "cli/commands.h"
 #include "cli/report_files.h"
-#include "cli/usage_error.h"
 #include "cli/waivers/waiver_file.h"
 #include "compare/waivers/coverage.h"
 #include "frame/folder_lock.h"
 #include "frame/input_file.h"
 #include "frame/whole_file.h"
+#include "program/usage_error.h"
 #include "reports/findings_file.h"
 #include "reports/report_error.h"
 #include "reports/result_file.h"

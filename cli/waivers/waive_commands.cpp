@@ -5,10 +5,10 @@
 
 #include "cli/commands.h"
 #include "cli/report_files.h"
-#include "cli/usage_error.h"
 #include "cli/waivers/waiver_file.h"
 #include "frame/folder_lock.h"
 #include "frame/whole_file.h"
+#include "program/usage_error.h"
 #include "reports/waiver_status.h"
 #include "reports/wording.h"
 

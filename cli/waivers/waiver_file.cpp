@@ -4,8 +4,8 @@
 #include <limits>
 #include <map>
 
-#include "cli/nearest_word.h"
-#include "cli/toml/reader.h"
+#include "program/nearest_word.h"
+#include "program/toml/reader.h"
 
 namespace zproof {
 namespace {

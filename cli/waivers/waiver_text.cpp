@@ -2,8 +2,8 @@
 #include <array>
 #include <sstream>
 
-#include "cli/usage_error.h"
 #include "cli/waivers/waiver_file.h"
+#include "program/usage_error.h"
 
 namespace zproof {
 namespace {

@@ -6,14 +6,14 @@
 
 #include "filters/methods/catalogue.h"
 #include "filters/reference/admissible_surfaces.h"
-#include "filters/scenes/filter_scenes.h"
-#include "filters/scenes/textures.h"
 #include "filters/stored/box_moments.h"
 #include "filters/study/claims.h"
 #include "filters/study/crow.h"
 #include "filters/study/scores.h"
 #include "filters/study/study.h"
 #include "rasterizer/texturing.h"
+#include "scenes/filters/filter_scenes.h"
+#include "scenes/filters/textures.h"
 
 namespace zproof::study {
 

@@ -9,8 +9,8 @@
 #include <set>
 #include <sstream>
 
-#include "cli/command_line/outline.h"
 #include "cli/command_line/tree.h"
+#include "program/command_line/outline.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {

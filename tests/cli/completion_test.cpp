@@ -5,10 +5,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "cli/command_line/outline.h"
 #include "cli/command_line/tree.h"
-#include "cli/completion/scripts.h"
 #include "oracle/subprocess.h"
+#include "program/command_line/outline.h"
+#include "program/completion/scripts.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {

@@ -7,9 +7,9 @@
 #include <set>
 #include <sstream>
 
-#include "cli/command_line/outline.h"
 #include "cli/command_line/tree.h"
-#include "cli/exit_code.h"
+#include "program/command_line/outline.h"
+#include "program/exit_code.h"
 #include "scenes/suite.h"
 #include "tests/cli/program.h"
 

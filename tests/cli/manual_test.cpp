@@ -10,12 +10,12 @@
 #include <set>
 #include <sstream>
 
-#include "cli/command_line/examples.h"
-#include "cli/command_line/outline.h"
 #include "cli/command_line/tree.h"
-#include "cli/exit_code.h"
-#include "cli/manual/page.h"
 #include "oracle/subprocess.h"
+#include "program/command_line/examples.h"
+#include "program/command_line/outline.h"
+#include "program/exit_code.h"
+#include "program/manual/page.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "cli/settings.h"
+#include "program/settings.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {

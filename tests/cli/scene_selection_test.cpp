@@ -1,4 +1,4 @@
-#include "cli/scene_selection.h"
+#include "program/scene_selection.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "cli/selftest/fault.h"
-#include "cli/selftest/filter_fault.h"
 #include "filters/methods/catalogue.h"
+#include "filters/selftest/filter_fault.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "cli/arguments.h"
-#include "cli/settings/setting.h"
-#include "cli/usage_error.h"
+#include "program/settings/setting.h"
+#include "program/usage_error.h"
 #include "tests/cli/program.h"
 
 namespace zproof {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "cli/gate/shard.h"
-#include "cli/usage_error.h"
+#include "program/usage_error.h"
 #include "scenes/scene_error.h"
 #include "tests/cli/program.h"
 #include "tests/cli/same_run.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/usage_error.h"
+#include "program/usage_error.h"
 
 namespace zproof {
 namespace {

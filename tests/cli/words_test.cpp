@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "cli/arguments.h"
-#include "cli/folder_names.h"
-#include "cli/usage_error.h"
+#include "program/folder_names.h"
+#include "program/usage_error.h"
 
 namespace zproof {
 namespace {

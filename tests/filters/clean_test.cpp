@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <iostream>
 
-#include "cli/selftest/filter_fault.h"
-#include "cli/selftest/filter_variants.h"
 #include "filters/methods/catalogue.h"
 #include "filters/reference/admissible_surfaces.h"
+#include "filters/selftest/filter_fault.h"
+#include "filters/selftest/filter_variants.h"
 #include "math/interval_functions.h"
 
 namespace zproof::selftest {

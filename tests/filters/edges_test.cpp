@@ -1,12 +1,12 @@
 /// At edges every surface may be shown that the promise admits, and no other.
 #include <gtest/gtest.h>
 
-#include "cli/selftest/filter_fault.h"
 #include "filters/methods/catalogue.h"
 #include "filters/reference/admissible_surfaces.h"
-#include "filters/scenes/filter_scenes.h"
+#include "filters/selftest/filter_fault.h"
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"
+#include "scenes/filters/filter_scenes.h"
 
 namespace zproof::selftest {
 namespace {

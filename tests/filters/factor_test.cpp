@@ -1,8 +1,8 @@
 /// A material's factor is a number of a JSON file: a renderer may read it as a double or as a float32.
 #include <gtest/gtest.h>
 
-#include "cli/selftest/filter_fault.h"
 #include "filters/methods/catalogue.h"
+#include "filters/selftest/filter_fault.h"
 
 namespace zproof::selftest {
 namespace {

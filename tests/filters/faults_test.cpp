@@ -4,8 +4,8 @@
 #include <iostream>
 #include <set>
 
-#include "cli/selftest/filter_fault.h"
 #include "filters/methods/catalogue.h"
+#include "filters/selftest/filter_fault.h"
 
 namespace zproof::selftest {
 

@@ -1,5 +1,5 @@
 // Mip chains that a user brings: as one image per level, or as one file.
-#include "cli/given_levels.h"
+#include "filters/commands/given_levels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

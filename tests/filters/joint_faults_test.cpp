@@ -5,7 +5,7 @@
 #include <iostream>
 #include <map>
 
-#include "cli/filters/joint_check.h"
+#include "filters/commands/joint_check.h"
 #include "filters/methods/catalogue.h"
 #include "rasterizer/texturing.h"
 #include "tests/filters/limited_sampler.h"

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <random>
 
-#include "cli/filters/joint_check.h"
+#include "filters/commands/joint_check.h"
 #include "filters/methods/catalogue.h"
 #include "tests/filters/limited_sampler.h"
 #include "tests/filters/near_ground.h"

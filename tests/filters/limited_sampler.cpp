@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cli/selftest/filter_variants.h"
+#include "filters/selftest/filter_variants.h"
 #include "filters/stored/mip_chain.h"
 
 namespace zproof {

@@ -1,7 +1,7 @@
 /// Fixtures on which an error of a hundredth of a texel or level can be told from float32 coordinates.
 #pragma once
 
-#include "cli/selftest/filter_fixture.h"
+#include "filters/selftest/filter_fixture.h"
 
 namespace zproof {
 

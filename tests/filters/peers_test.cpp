@@ -4,9 +4,9 @@
 
 #include <iostream>
 
-#include "cli/selftest/filter_fault.h"
 #include "filters/reference/admissible_surfaces.h"
 #include "filters/reference/filter_peers.h"
+#include "filters/selftest/filter_fault.h"
 
 namespace zproof::selftest {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "cli/filters/claim.h"
-#include "cli/selftest/filter_fault.h"
+#include "filters/commands/claim.h"
 #include "filters/methods/catalogue.h"
+#include "filters/selftest/filter_fault.h"
 #include "tests/filters/limited_sampler.h"
 
 namespace zproof::selftest {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "cli/selftest/filter_fault.h"
 #include "filters/methods/catalogue.h"
+#include "filters/selftest/filter_fault.h"
 #include "tests/filters/limited_sampler.h"
 
 namespace zproof {

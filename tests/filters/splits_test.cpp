@@ -4,10 +4,10 @@
 
 #include <random>
 
-#include "cli/filters/joint_check.h"
+#include "filters/commands/joint_check.h"
 #include "filters/reference/admissible_surfaces.h"
 #include "filters/reference/levels.h"
-#include "filters/scenes/filter_scenes.h"
+#include "scenes/filters/filter_scenes.h"
 #include "tests/filters/limited_sampler.h"
 #include "tests/filters/near_ground.h"
 

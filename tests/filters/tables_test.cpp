@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "cli/selftest/filter_fault.h"
 #include "filters/conformance/filter_precision_presets.h"
 #include "filters/methods/catalogue.h"
+#include "filters/selftest/filter_fault.h"
 #include "tests/filters/limited_sampler.h"
 #include "tests/filters/near_ground.h"
 

@@ -7,10 +7,10 @@
 #include <random>
 
 #include "filters/methods/catalogue.h"
-#include "filters/scenes/filter_scenes.h"
 #include "rasterizer/rasterizer.h"
 #include "rasterizer/shading.h"
 #include "rasterizer/surface.h"
+#include "scenes/filters/filter_scenes.h"
 #include "scenes/suite.h"
 
 namespace zproof::rasterizer {

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "cli/renderers/registry.h"
-#include "cli/scene_selection.h"
 #include "cli/selftest/test_scene.h"
 #include "oracle/oracle_error.h"
+#include "program/scene_selection.h"
 #include "rasterizer/rasterizer.h"
 #include "scenes/scene_error.h"
 #include "tests/frozen/interior_views.h"

@@ -1,6 +1,6 @@
 // zproof.toml, and behind a 0 what every ZPROOF_ variable says.
-#include "cli/settings/sources.h"
-#include "cli/usage_error.h"
+#include "program/settings/sources.h"
+#include "program/usage_error.h"
 #include "reports/report_error.h"
 #include "tests/fuzz/scratch_folder.h"
 

@@ -1,6 +1,6 @@
 // waivers.toml, and what `zproof waive` writes of it.
-#include "cli/usage_error.h"
 #include "cli/waivers/waiver_file.h"
+#include "program/usage_error.h"
 #include "tests/fuzz/harness.h"
 
 namespace zproof::fuzz {

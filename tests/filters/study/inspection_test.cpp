@@ -7,9 +7,9 @@
 
 #include "filters/methods/catalogue.h"
 #include "filters/reference/admissible_surfaces.h"
-#include "filters/scenes/filter_scenes.h"
 #include "filters/study/worst_pixels.h"
 #include "rasterizer/texturing.h"
+#include "scenes/filters/filter_scenes.h"
 
 namespace zproof::study {
 namespace {

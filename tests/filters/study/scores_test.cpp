@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "filters/metrics/picture_metric.h"
-#include "filters/scenes/filter_scenes.h"
 #include "filters/study/study.h"
 #include "rasterizer/texel_map.h"
+#include "scenes/filters/filter_scenes.h"
 
 namespace zproof::study {
 namespace {

@@ -6,12 +6,12 @@
 #include <algorithm>
 
 #include "filters/methods/catalogue.h"
-#include "filters/scenes/filter_scenes.h"
 #include "filters/study/claims.h"
 #include "filters/study/cost.h"
 #include "filters/study/study.h"
 #include "filters/study/surface_map.h"
 #include "rasterizer/rasterizer.h"
+#include "scenes/filters/filter_scenes.h"
 
 namespace zproof::study {
 namespace {

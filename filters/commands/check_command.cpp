@@ -1,0 +1,145 @@
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+#include "filters/commands/claim.h"
+#include "filters/commands/commands.h"
+#include "filters/commands/joint_check.h"
+#include "filters/reference/admissible_surfaces.h"
+#include "filters/selftest/filter_fault.h"
+#include "oracle/convention/stored_picture.h"
+#include "program/interrupt.h"
+#include "program/study_scenes.h"
+#include "program/threads.h"
+#include "program/usage_error.h"
+#include "program/work_progress.h"
+
+namespace zproof {
+namespace {
+
+using selftest::ConformanceResult;
+using selftest::FilterClaim;
+using selftest::FilterFixture;
+
+constexpr std::chrono::minutes reading_limit{10};
+
+/// "0 of 262144 pixels outside, slack 0.93"
+std::string found_in_words(const ConformanceResult& result) {
+    if (result.is_caught()) return selftest::in_words(result);
+    std::ostringstream text;
+    text << "no pixel of " << result.found.judged << " outside, slack " << std::setprecision(3)
+         << result.found.worst_slack;
+    if (result.found.anything > 0) text << "; " << result.found.anything << " undecided";
+    if (result.chance) text << "; " << selftest::in_words(*result.chance);
+    return text.str();
+}
+
+std::string where_in_words(const Conformance& found) {
+    if (!found.where) return "";
+    std::ostringstream text;
+    text << "; worst at (" << found.worst.x << ", " << found.worst.y << "), all within columns "
+         << found.where->first.x << " to " << found.where->last.x << ", rows " << found.where->first.y
+         << " to " << found.where->last.y;
+    return text.str();
+}
+
+Picture picture_of(const FilterFixture& fixture, const FilterChoice& choice,
+                   const std::filesystem::path& own) {
+    if (own.empty())
+        return rasterizer::filtered(fixture.scene, fixture.view, fixture.frame, choice.texturing);
+    return oracle::read_stored_picture(own, fixture.view, reading_limit);
+}
+
+/// Judges every method on one view; how many of them keep to their definition.
+class FilterChecker {
+  public:
+    FilterChecker(const FiltersCheckArguments& arguments, std::size_t scenes)
+        : arguments_(arguments),
+          scenes_left_(scenes),
+          progress_(std::cerr, progress_beside_lines(arguments.common),
+                    double(scenes * arguments.methods.size())) {}
+
+    /// The next scene: it may have more views than the one that progress expects of each.
+    void begin_scene(std::size_t views) {
+        --scenes_left_;
+        expected_ += views * arguments_.methods.size();
+        progress_.expect_more(double((views - 1) * arguments_.methods.size()));
+    }
+
+    void judge(const FilterFixture& fixture) {
+        for (const FilterChoice& choice : arguments_.methods) {
+            if (interrupted()) return;
+            const std::string name =
+                fixture.scene.name + " / " + fixture.view.name + ": " + choice.typed + ": ";
+            progress_.begin(name);
+            const Picture picture = picture_of(fixture, choice, arguments_.picture);
+            const FilterClaim claim = claim_of(choice, arguments_.precision);
+            const ConformanceResult result = selftest::conformance_of(picture, fixture, claim);
+            const std::optional<JointConformance> joint = joint_of(picture, fixture, claim);
+            const bool is_wrong = result.is_caught() || (joint && joint->leaves_promise());
+            tell((is_wrong ? "FAILED  " : "passed  ") + name + found_in_words(result) +
+                 where_in_words(result.found) + "\n");
+            for (const std::string& line : joint ? in_words(*joint) : std::vector<std::string>{})
+                tell("        " + line + "\n");
+            ++judged_;
+            failed_ += is_wrong;
+        }
+    }
+
+    ExitCode outcome() {
+        std::ostringstream line;
+        line << judged_ << (judged_ == 1 ? " picture: " : " pictures: ") << judged_ - failed_
+             << " within the reference of their method, " << failed_ << " not\n";
+        progress_.say(std::cout, line.str());
+        if (std::size_t(judged_) < expected_ || scenes_left_ > 0)
+            return say_interrupted({std::size_t(judged_), expected_, scenes_left_}, "picture", "judged");
+        if (judged_ == 0) return ExitCode::nothing;
+        return failed_ == 0 ? ExitCode::proven : ExitCode::defect;
+    }
+
+  private:
+    /// Of what has a promise of its own. Beside zproof's, which is exact, no joint error could hide.
+    std::optional<JointConformance> joint_of(const Picture& picture, const FilterFixture& fixture,
+                                             const FilterClaim& claim) const {
+        if (!arguments_.precision && arguments_.picture.empty()) return {};
+        return joint_conformance_of(picture, fixture, claim);
+    }
+
+    void tell(const std::string& line) {
+        if (!arguments_.common.is_quiet()) progress_.say(std::cout, line);
+    }
+
+    const FiltersCheckArguments& arguments_;
+    int judged_ = 0, failed_ = 0;
+    std::size_t expected_ = 0;  ///< pictures of the scenes that were begun
+    std::size_t scenes_left_;
+    WorkProgress progress_;
+};
+
+}  // namespace
+
+ExitCode execute(const FiltersCheckArguments& arguments) {
+    for (const FilterChoice& choice : arguments.methods) claim_of(choice, arguments.precision);
+    const std::vector<StudyScene> sources = study_scenes(arguments.scenes);
+    note_interrupts();
+    FilterChecker checker{arguments, sources.size()};
+    std::size_t views_judged = 0;
+    for (const StudyScene& source : sources) {
+        if (interrupted()) break;
+        const Resolution natural = natural_resolution(source);
+        const Loaded loaded = load(
+            source, {arguments.width.value_or(natural.width), arguments.height.value_or(natural.height)});
+        const std::vector<View> views = chosen_views(loaded, arguments.views);
+        checker.begin_scene(views.size());
+        views_judged += views.size();
+        if (!arguments.picture.empty() && views_judged > 1)
+            throw UsageError{"--picture: one view is expected; name it (--view)"};
+        for (const View& view : views)
+            on_threads(arguments.common.threads, [&] {
+                checker.judge({loaded.scene, view, oracle::exact_visibility(loaded.scene, view)});
+            });
+    }
+    return checker.outcome();
+}
+
+}  // namespace zproof

@@ -1,0 +1,19 @@
+#include "filters/commands/configured.h"
+
+#include "oracle/oracle_error.h"
+
+namespace zproof {
+
+study::ConfiguredMethod configured(const FilterChoice& choice) {
+    study::ConfiguredMethod method{choice.typed, choice.texturing};
+    if (choice.other == nullptr) return method;
+    if (const std::string absence = choice.other->absence(); !absence.empty())
+        throw OracleError{choice.typed + ": " + absence};
+    method.paint = [paint = choice.other->paint, options = choice.texturing.options](
+                       const Scene& scene, const View& view, const Frame& frame) {
+        return paint(scene, view, frame, options);
+    };
+    return method;
+}
+
+}  // namespace zproof

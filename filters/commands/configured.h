@@ -1,0 +1,12 @@
+/// A filter as typed, made ready for a study.
+#pragma once
+
+#include "filters/commands/filter_choice.h"
+#include "filters/study/plan.h"
+
+namespace zproof {
+
+/// Throws OracleError where a sampler of others is not on this machine.
+study::ConfiguredMethod configured(const FilterChoice& choice);
+
+}  // namespace zproof

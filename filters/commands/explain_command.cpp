@@ -1,0 +1,45 @@
+#include <algorithm>
+#include <iostream>
+
+#include "filters/commands/commands.h"
+#include "filters/commands/configured.h"
+#include "filters/reference/admissible_surfaces.h"
+#include "filters/report/inspection_words.h"
+#include "program/study_scenes.h"
+#include "program/threads.h"
+#include "program/usage_error.h"
+
+namespace zproof {
+namespace {
+
+View view_of(const Loaded& loaded, const FiltersExplainArguments& arguments) {
+    const View view = chosen_views(loaded, {arguments.view}).front();
+    const PixelCoord& pixel = arguments.pixel;
+    if (pixel.x < view.width && pixel.y < view.height) return view;
+    throw UsageError{"--pixel: the view has " + std::to_string(view.width) + " x " +
+                     std::to_string(view.height) + " pixels, from 0,0; found " + std::to_string(pixel.x) +
+                     "," + std::to_string(pixel.y) + " (--width, --height)"};
+}
+
+}  // namespace
+
+ExitCode execute(const FiltersExplainArguments& arguments) {
+    const StudyScene source = study_scenes({arguments.scene}).front();
+    const Resolution natural = natural_resolution(source);
+    const Loaded loaded =
+        load(source, {arguments.width.value_or(natural.width), arguments.height.value_or(natural.height)});
+    const View view = view_of(loaded, arguments);
+    std::vector<study::ConfiguredMethod> methods;
+    for (const FilterChoice& choice : arguments.methods) methods.push_back(configured(choice));
+    on_threads(arguments.common.threads, [&] {
+        const Frame frame = oracle::exact_visibility(loaded.scene, view);
+        const study::Inspector inspector(loaded.scene, view, frame, arguments.truth);
+        for (const study::ConfiguredMethod& method : methods) {
+            const study::PixelInspection one = inspector.at(method, {arguments.pixel}).front();
+            std::cout << (arguments.common.is_quiet() ? in_a_line(one) : in_words(one));
+        }
+    });
+    return ExitCode::proven;
+}
+
+}  // namespace zproof

@@ -1,0 +1,97 @@
+#include "filters/commands/view_evidence.h"
+
+#include <algorithm>
+
+#include "filters/commands/configured.h"
+#include "filters/reference/admissible_surfaces.h"
+#include "filters/report/inspection_json.h"
+#include "filters/study/inspection.h"
+#include "filters/study/study.h"
+#include "program/shell_line.h"
+
+namespace zproof {
+namespace {
+
+constexpr std::size_t most_inspections = 120;  ///< in a view, without those of claimed methods
+
+/// The pixel farthest outside what is permitted; none where all are inside.
+std::vector<PixelCoord> farthest_outside(const ClaimedPicture& claimed) {
+    std::vector<PixelCoord> farthest;
+    double most = 0;
+    for (int y = 0; y < claimed.picture.size().height; ++y)
+        for (int x = 0; x < claimed.picture.size().width; ++x) {
+            const double distance =
+                distance_outside(claimed.picture.at(x, y), claimed.permitted.least.at(x, y),
+                                 claimed.permitted.greatest.at(x, y));
+            if (distance > most) most = distance, farthest = {{x, y}};
+        }
+    return farthest;
+}
+
+/// Adds what the method reads at pixels of which that is not told yet.
+void tell(std::vector<study::PixelInspection>& all, const study::Inspector& inspector,
+          const study::ConfiguredMethod& method, std::vector<PixelCoord> pixels) {
+    std::erase_if(pixels, [&](const PixelCoord& pixel) {
+        return std::ranges::any_of(all, [&](const study::PixelInspection& one) {
+            return one.label == method.label && one.x == pixel.x && one.y == pixel.y;
+        });
+    });
+    std::ranges::move(inspector.at(method, pixels), std::back_inserter(all));
+}
+
+}  // namespace
+
+void ViewEvidenceWriter::begin(const study::ViewEvidence& known) {
+    planes_.emplace(known);
+    truth_ = known.truth;
+    regions_ = known.regions;
+}
+
+void ViewEvidenceWriter::show(const std::string& what, const Picture& picture) {
+    if (!planes_) return;
+    planes_->add_picture(what, picture);
+    worst_.push_back({what, study::worst_pixels(picture, truth_, regions_)});
+}
+
+void ViewEvidenceWriter::claim(const ClaimedPicture& claimed) {
+    if (!planes_) return;
+    planes_->add_claim(claimed);
+    std::ranges::copy(farthest_outside(claimed), std::back_inserter(worst_.back().by_region.front()));
+}
+
+void ViewEvidenceWriter::map(const std::string& label, const PictureMetric& metric,
+                             const Plane<double>& map) {
+    if (planes_ && metric.name == "flip") planes_->add_flip(label, map);
+}
+
+nlohmann::json ViewEvidenceWriter::inspections(const StudiedView& studied) const {
+    const Frame frame = oracle::exact_visibility(studied.scene, studied.view);
+    const study::Inspector inspector(studied.scene, studied.view, frame, studied.plan.truth);
+    std::vector<study::PixelInspection> all;
+    for (const study::ChosenPixels& chosen : study::chosen_pixels(worst_, most_inspections)) {
+        const auto method =
+            std::ranges::find(studied.plan.methods, chosen.label, &study::ConfiguredMethod::label);
+        if (method != studied.plan.methods.end()) tell(all, inspector, *method, chosen.pixels);
+        if (const PictureClaim* claim = find_claim(studied.pictures, chosen.label))
+            tell(all, inspector, configured(claim->method), chosen.pixels);
+    }
+    return to_json(all);
+}
+
+void ViewEvidenceWriter::write(const std::filesystem::path& folder, const StudiedView& studied) && {
+    if (!planes_) return;
+    const FilterViewFacts facts{.scene = studied.scene_name,
+                                .view = studied.view.name,
+                                .truth = oracle::letters_of(studied.plan.truth),
+                                .explain = explain_command_for(studied)};
+    planes::write(folder / "planes.zvp", std::move(*planes_).container(facts, inspections(studied)));
+}
+
+std::string explain_command_for(const StudiedView& studied) {
+    const View& view = studied.view;
+    return "zproof filters explain " + shell_quoted(studied.scene_word) + " --view " +
+           shell_quoted(view.name) + " --width " + std::to_string(view.width) + " --height " +
+           std::to_string(view.height) + " --truth " + oracle::letters_of(studied.plan.truth);
+}
+
+}  // namespace zproof

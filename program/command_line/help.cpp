@@ -1,0 +1,28 @@
+#include "program/command_line/help.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "program/command_line/outline.h"
+
+namespace zproof {
+namespace {
+
+std::string help_of(Examples examples, const CLI::App* app, std::string name, CLI::AppFormatMode mode) {
+    const CLI::Formatter usual;
+    if (mode == CLI::AppFormatMode::Sub) return usual.make_expanded(app);
+    const std::string shown = in_words(examples, path_of(*app));
+    return usual.make_description(app) + (shown.empty() ? "" : "\n" + shown) + "\n" +
+           usual.make_usage(app, std::move(name)) + usual.make_positionals(app) +
+           usual.make_groups(app, mode) + usual.make_subcommands(app, mode) + usual.make_footer(app);
+}
+
+}  // namespace
+
+void explain_by_example(CLI::App& root, Examples examples) {
+    root.formatter_fn([examples](const CLI::App* app, std::string name, CLI::AppFormatMode mode) {
+        return help_of(examples, app, std::move(name), mode);
+    });
+}
+
+}  // namespace zproof

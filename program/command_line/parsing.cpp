@@ -1,0 +1,61 @@
+#include "program/command_line/parsing.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+
+#include "program/command_line/misspelling.h"
+#include "program/settings/apply.h"
+#include "program/usage_error.h"
+
+namespace zproof {
+namespace {
+
+/// "zproof filters run".
+std::string typed_name_of(const CLI::App& command) {
+    const CLI::App* parent = command.get_parent();
+    return parent == nullptr ? command.get_name() : typed_name_of(*parent) + " " + command.get_name();
+}
+
+}  // namespace
+
+CLI::App& leaf_of(CLI::App& app) {
+    for (CLI::App* command : app.get_subcommands())
+        if (command->parsed()) return leaf_of(*command);
+    return app;
+}
+
+std::optional<Command> answer_to(CLI::App& root, int argc, const char* const* argv) {
+    try {
+        root.parse(argc, argv);
+        return std::nullopt;
+    } catch (const CLI::ParseError& e) {
+        if (e.get_exit_code() != 0)
+            throw UsageError{e.what() + misspelling_in(root) + " (see: " + typed_name_of(leaf_of(root)) +
+                             " --help)"};
+        std::ostringstream text;
+        root.exit(e, text, text);
+        return command_of(Answered{.common = {}, .text = text.str()}, "cannot answer");
+    }
+}
+
+void take_settings(CLI::App& root, const SettingsChoice& choice, const Environment& environment) {
+    CLI::App& leaf = leaf_of(root);
+    if (!listens(leaf)) return;
+    give(that_concern(leaf, settings_here(choice, environment)), leaf);
+}
+
+Command chosen(const std::vector<Branch>& branches, const std::string& example) {
+    const auto branch = std::ranges::find_if(branches, [](const Branch& b) { return b.app->parsed(); });
+    if (branch != branches.end()) return branch->understood();
+    throw UsageError{"a command is expected, such as: " + example +
+                     " (see: " + example.substr(0, example.rfind(' ')) + " --help)"};
+}
+
+ExitCode execute(const Answered& answered) {
+    std::cout << answered.text;
+    return ExitCode::proven;
+}
+
+}  // namespace zproof

@@ -1,0 +1,19 @@
+/// Pieces of text that the scripts have in common.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "program/command_line/outline.h"
+
+namespace zproof {
+
+std::string joined(const std::vector<std::string>& words, const std::string& between);
+
+std::string replaced(std::string text, const std::string& from, const std::string& to);
+
+/// Calls `visit` for the root and every command below it, parents first.
+void for_each_command(const OutlineCommand& root, const std::function<void(const OutlineCommand&)>& visit);
+
+}  // namespace zproof
