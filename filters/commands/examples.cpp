@@ -45,6 +45,7 @@ constexpr auto all = std::to_array<Example>({
      "your own picture (R, G, B, linear light) of that view"},
     {"filters explain", "zproof filters explain worked --view phi-45 --pixel 120,60 --method trilinear-gl",
      "the texels that it reads there, their weights, and the pixel's own"},
+    {"filters selftest", "zproof filters selftest", "the judge of filters sees known faults"},
     {"filters crow", "zproof filters crow -o crow", "the lecture's figure and its questions, answered"},
 });
 

@@ -11,7 +11,7 @@ export GIT_CONFIG_GLOBAL=/dev/null GIT_CEILING_DIRECTORIES=$place
 
 # expect WORDS FOLDER: what a build in that folder is told.
 expect() {
-    cmake -DSOURCE="$place/$2" -DTEMPLATE="$source/cli/commit.cpp.in" -DOUTPUT="$place/commit.cpp" \
+    cmake -DSOURCE="$place/$2" -DTEMPLATE="$source/program/commit.cpp.in" -DOUTPUT="$place/commit.cpp" \
         -P "$source/cmake/zproof_commit.cmake" >log 2>&1 || { cat log >&2; exit 1; }
     grep -qF "return \"$1\";" commit.cpp || { echo "commit_test: $2: not '$1' but: $(cat commit.cpp)" >&2; exit 1; }
 }

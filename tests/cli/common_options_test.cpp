@@ -9,8 +9,8 @@
 #include <set>
 #include <sstream>
 
-#include "cli/command_line/tree.h"
 #include "program/command_line/outline.h"
+#include "tests/cli/outline_of_zproof.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {
@@ -63,6 +63,7 @@ const std::map<std::string, Call> calls{
     {"filters check", {{"nearest", "worked", "--view", "phi-0"}}},
     {"filters explain", {{"worked", "--view", "phi-0", "--pixel", "9,12", "--method", "ewa-true"}}},
     {"filters crow", {{}}},
+    {"filters selftest", {{}, Call::Told::alike, Call::Work::of_seconds}},
     {"study projection", {{"two.gltf", "--without-povray"}, Call::Told::with_times}},
     {"study depth", {{"two.gltf"}, Call::Told::with_times, Call::Work::of_seconds}},
     {"study shading", {{"two.gltf"}, Call::Told::with_times}},
@@ -71,10 +72,7 @@ const std::map<std::string, Call> calls{
     {"man", {{}}},
 };
 
-std::vector<OutlineCommand> commands() {
-    CommandTree tree;
-    return leaves_of(outline_of(tree.root()));
-}
+std::vector<OutlineCommand> commands() { return leaves_of(outline_of_zproof()); }
 
 const OutlineOption* option_of(const OutlineCommand& command, const std::string& name) {
     const auto option = std::ranges::find_if(command.options, [&](const OutlineOption& o) {

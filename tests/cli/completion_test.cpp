@@ -5,10 +5,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "cli/command_line/tree.h"
 #include "oracle/subprocess.h"
 #include "program/command_line/outline.h"
 #include "program/completion/scripts.h"
+#include "tests/cli/outline_of_zproof.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {
@@ -18,11 +18,6 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::IsSupersetOf;
 using testing::Not;
-
-OutlineCommand whole_outline() {
-    CommandTree tree;
-    return outline_of(tree.root());
-}
 
 /// A folder with every script in it, and some files to complete.
 class Shells : public testing::Test {
@@ -62,7 +57,7 @@ class Shells : public testing::Test {
         return offers;
     }
 
-    const OutlineCommand root = whole_outline();
+    const OutlineCommand root = outline_of_zproof();
     Folder folder;
 };
 

@@ -7,10 +7,10 @@
 #include <set>
 #include <sstream>
 
-#include "cli/command_line/tree.h"
 #include "program/command_line/outline.h"
 #include "program/exit_code.h"
 #include "scenes/suite.h"
+#include "tests/cli/outline_of_zproof.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {
@@ -191,8 +191,7 @@ TEST(ExitCodes, EveryStatusIsTried) {
 /// Every command ends well somewhere, and refuses a command line that it cannot understand.
 TEST(ExitCodes, EveryCommandRefusesWhatItDoesNotKnow) {
     const Folder folder;
-    CommandTree tree;
-    for (const OutlineCommand& command : leaves_of(outline_of(tree.root()))) {
+    for (const OutlineCommand& command : leaves_of(outline_of_zproof())) {
         std::istringstream in{command.path};
         Words words;
         for (std::string word; in >> word;) words.push_back(word);

@@ -230,7 +230,7 @@ const std::vector<Long> commands{
      Blocked::at_its_progress,
      "0 of 1 page written, 1 not",
      ""},
-    {"Selftest", {"selftest"}, Blocked::at_its_results, "[01] of 208 tests run, 20[78] not", ""},
+    {"Selftest", {"selftest"}, Blocked::at_its_results, "[01] of 75 tests run, 7[45] not", ""},
     {"Measure", {"measure", "zproof"}, Blocked::at_its_progress, "0 of 7 instruments read, 7 not", ""},
     {"ContractCheck",
      {"contract-check", "cp {scene} {out}"},

@@ -16,17 +16,13 @@
 #include "program/command_line/outline.h"
 #include "program/exit_code.h"
 #include "program/manual/page.h"
+#include "tests/cli/outline_of_zproof.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {
 namespace {
 
 using testing::HasSubstr;
-
-OutlineCommand whole_outline() {
-    CommandTree tree;
-    return outline_of(tree.root());
-}
 
 std::string text_of(const std::string& name) {
     std::ifstream in{std::string{ZPROOF_SOURCE_DIR} + "/" + name};
@@ -37,7 +33,7 @@ std::string text_of(const std::string& name) {
 
 TEST(ManualPage, IsReadWithoutAWarning) {
     const Folder folder;
-    folder.write("zproof.1", manual_page(whole_outline()));
+    folder.write("zproof.1", manual_page(outline_of_zproof()));
     for (const char* reader : {"man --warnings -E UTF-8 -l -Tutf8 -Z ./zproof.1 >/dev/null",
                                "groff -man -ww -Tutf8 zproof.1 >/dev/null", "lexgrog zproof.1 >/dev/null"}) {
         const oracle::Outcome outcome =
@@ -49,13 +45,13 @@ TEST(ManualPage, IsReadWithoutAWarning) {
 
 TEST(ManualPage, SaysAllThatTheCommandLineKnows) {
     const Folder folder;
-    folder.write("zproof.1", manual_page(whole_outline()));
+    folder.write("zproof.1", manual_page(outline_of_zproof()));
     const std::string page =
         oracle::run({.arguments = oracle::shell_line("groff -man -Tascii -rLL=200n -P-c -P-u -P-b zproof.1"),
                      .folder = folder.path(),
                      .kept_bytes = 1 << 20})
             .output;
-    for (const OutlineCommand& command : leaves_of(whole_outline())) {
+    for (const OutlineCommand& command : leaves_of(outline_of_zproof())) {
         EXPECT_THAT(page, HasSubstr("zproof " + command.path)) << command.path;
         for (const OutlineOption& option : command.options) EXPECT_THAT(page, HasSubstr(option.names.back()));
     }
@@ -72,7 +68,7 @@ std::vector<OutlineCommand> all_of(const OutlineCommand& root) {
 
 TEST(Help, OfEveryCommandBeginsWithExamples) {
     const Folder folder;
-    for (const OutlineCommand& command : all_of(whole_outline())) {
+    for (const OutlineCommand& command : all_of(outline_of_zproof())) {
         std::istringstream in{command.path};
         Words words;
         for (std::string word; in >> word;) words.push_back(word);
@@ -87,13 +83,13 @@ TEST(Help, OfEveryCommandBeginsWithExamples) {
 
 TEST(Help, HasExamplesOfKnownCommandsOnly) {
     std::set<std::string> paths;
-    for (const OutlineCommand& command : all_of(whole_outline())) paths.insert(command.path);
+    for (const OutlineCommand& command : all_of(outline_of_zproof())) paths.insert(command.path);
     for (const Example& example : examples())
         EXPECT_EQ(paths.count(std::string{example.command}), 1u) << example.line;
 }
 
 TEST(Help, EveryOptionAndPositionalIsDescribed) {
-    for (const OutlineCommand& command : leaves_of(whole_outline())) {
+    for (const OutlineCommand& command : leaves_of(outline_of_zproof())) {
         for (const OutlineOption& option : command.options)
             EXPECT_FALSE(option.description.empty()) << command.path << " " << option.names.back();
         for (const OutlineOption& option : command.positionals)

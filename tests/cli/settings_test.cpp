@@ -38,7 +38,7 @@ struct SettingsFolder {
     }
     RunArguments run(std::vector<std::string> words) const {
         words.insert(words.begin(), "run");
-        return std::get<RunArguments>(parsed(words));
+        return std::any_cast<RunArguments>(parsed(words).arguments);
     }
     std::string refusal(const std::vector<std::string>& words) const {
         try {
@@ -163,8 +163,8 @@ TEST(Settings, ThatBearOnTheVerdictDoNotReachCommandsThatReportsName) {
         static const std::string file = place.file();
         return name == "ZPROOF_CONFIG" ? file.c_str() : nullptr;
     };
-    const auto explain =
-        std::get<ExplainArguments>(parse_command_line(int(argv.size()), argv.data(), environment));
+    const auto explain = std::any_cast<ExplainArguments>(
+        parse_command_line(int(argv.size()), argv.data(), environment).arguments);
     EXPECT_EQ(explain.settings.resolution.width, 1920);
     EXPECT_EQ(name_of(explain.renderers.candidate), "zproof");
     EXPECT_EQ(explain.common.threads, 3);

@@ -7,11 +7,14 @@
 
 #include "filters/area/area_integral.h"
 #include "filters/commands/arguments.h"
+#include "filters/commands/command_line.h"
 #include "filters/methods/catalogue.h"
 #include "filters/report/json.h"
 #include "filters/report/table_cells.h"
+#include "filters/selftest/filter_fault.h"
 #include "filters/study/claims.h"
 #include "image_io/image_io.h"
+#include "program/command_line/outline_json.h"
 #include "program/usage_error.h"
 #include "scenes/filters/filter_scenes.h"
 #include "scenes/scene_hash.h"
@@ -322,6 +325,26 @@ TEST(Filters, LevelsOfOnesOwnAreReadFromFiles) {
     EXPECT_NE(odd.err.find("mip level 2 that is given has 100 x 128 texels: expected 128 x 128"),
               std::string::npos)
         << odd.err;
+}
+
+TEST(Filters, SelftestTellsEveryFaultAndEndsWithZero) {
+    const Folder folder;
+    const Ran ran = run(folder, {"filters", "selftest"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+    EXPECT_EQ(ran.err, "");
+    const std::size_t tests = selftest::filter_faults().size() + texture::methods().size();
+    EXPECT_EQ(std::size_t(std::ranges::count(ran.out, '\n')), tests + 1) << ran.out;
+    EXPECT_NE(ran.out.find("\nthe gate works: "), std::string::npos) << ran.out;
+}
+
+TEST(Filters, HaveExamplesOfKnownCommandsOnly) {
+    const Folder folder;
+    std::set<std::string> paths;
+    const OutlineCommand outline = outline_from(run(folder, {"filters", "outline"}).out);
+    for (const OutlineCommand& command : outline.commands) paths.insert(command.path);
+    for (const Example& example : filters_program::examples())
+        EXPECT_TRUE(example.command == "filters" || paths.contains(std::string{example.command}))
+            << example.line;
 }
 
 }  // namespace
