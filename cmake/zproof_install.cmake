@@ -14,7 +14,7 @@ foreach(room IN LISTS rooms)
         continue()
     endif()
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/zproof
-            COMPONENT libzproof-dev FILES_MATCHING PATTERN "*.h")
+            COMPONENT libzproof-dev FILES_MATCHING PATTERN "*.h" PATTERN commands EXCLUDE PATTERN selftest EXCLUDE)
 endforeach()
 set_target_properties(zproof_strict PROPERTIES EXPORT_NAME strict)
 install(TARGETS ${zproof_targets} EXPORT zproof ARCHIVE COMPONENT libzproof-dev)
