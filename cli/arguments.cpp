@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "cli/command_line/tree.h"
-#include "cli/plan/typed_out.h"
+#include "cli/plan/explicit_words.h"
 #include "program/command_line/parsing.h"
 #include "program/shell_line.h"
 #include "scenes/random_scenes.h"
@@ -35,7 +35,7 @@ RunWords words_of_run(int argc, const char* const* argv, const Environment& envi
     tree.root().parse(argc, argv);
     tree.words().settings.profile = profile;
     take_settings(tree.root(), tree.words().settings, environment);
-    return {profile, run_typed_out(leaf_of(tree.root()))};
+    return {profile, explicit_run_words(leaf_of(tree.root()))};
 }
 
 /// One per profile that was named. A plan of one run needs no name for it.

@@ -9,7 +9,7 @@
 #include "frame/whole_file.h"
 #include "image_io/image_io.h"
 #include "program/interrupt.h"
-#include "program/published.h"
+#include "program/publish.h"
 #include "program/scene_selection.h"
 #include "program/threads.h"
 #include "program/usage_error.h"

@@ -10,7 +10,7 @@
 #include "cli/supervision.h"
 #include "math/processor.h"
 #include "program/interrupt.h"
-#include "program/published.h"
+#include "program/publish.h"
 #include "program/threads.h"
 #include "program/version.h"
 #include "reports/extent.h"

@@ -8,7 +8,7 @@
 #include "cli/report_files.h"
 #include "frame/printable.h"
 #include "program/folder_names.h"
-#include "program/published.h"
+#include "program/publish.h"
 #include "program/shell_line.h"
 #include "program/threads.h"
 #include "reports/merge.h"

@@ -7,7 +7,7 @@
 #include "program/companion.h"
 #include "program/folder_names.h"
 #include "program/interrupt.h"
-#include "program/published.h"
+#include "program/publish.h"
 #include "program/samples.h"
 #include "program/scene_selection.h"
 #include "program/threads.h"

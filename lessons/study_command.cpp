@@ -5,7 +5,7 @@
 #include "lessons/arguments.h"
 #include "lessons/study.h"
 #include "program/interrupt.h"
-#include "program/published.h"
+#include "program/publish.h"
 #include "program/study_scenes.h"
 #include "program/threads.h"
 #include "program/version.h"

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "program/guarded.h"
+#include "program/failure.h"
 #include "program/interrupt.h"
 #include "program/printed_file.h"
 
@@ -29,7 +29,7 @@ int run_program(int argc, const char* const* argv, ParseCommandLine parse) {
     keep_freed_memory();
     fail_writes_on(SIGXFSZ);
     std::string_view refusal = "cannot read the settings";
-    return int(guarded(refusal, [&] {
+    return int(report_failures(refusal, [&] {
         const Command command =
             parse(argc, argv, [](const std::string& name) { return std::getenv(name.c_str()); });
         refusal = command.refusal;

@@ -4,7 +4,7 @@
 
 #include "frame/printable.h"
 #include "program/interrupt.h"
-#include "program/published.h"
+#include "program/publish.h"
 #include "program/work_progress.h"
 #include "reports/output_folder.h"
 #include "scenes/glb_writer.h"

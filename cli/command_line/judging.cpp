@@ -3,7 +3,7 @@
 #include "cli/command_line/options.h"
 #include "cli/commands.h"
 #include "cli/gate/shard.h"
-#include "cli/plan/typed_out.h"
+#include "cli/plan/explicit_words.h"
 #include "cli/run_size.h"
 #include "program/usage_error.h"
 

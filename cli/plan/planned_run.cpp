@@ -11,7 +11,7 @@
 #include "cli/outcome_code.h"
 #include "cli/plan/missing_shards.h"
 #include "cli/selected_scenes.h"
-#include "program/guarded.h"
+#include "program/failure.h"
 #include "program/interrupt.h"
 #include "program/usage_error.h"
 #include "program/version.h"
@@ -83,7 +83,7 @@ ExitCode judge_apart(const PlannedRun& run, const Shard& shard, const RunArgumen
     const pid_t id = fork();
     if (id < 0) throw std::runtime_error{"no process can be started"};
     if (id == 0) {
-        const ExitCode code = guarded("cannot judge", [&] { return judge(run, shard, arguments); });
+        const ExitCode code = report_failures("cannot judge", [&] { return judge(run, shard, arguments); });
         std::cout.flush();
         _exit(int(code));
     }

@@ -50,7 +50,7 @@ class BoxProjection {
     /// The box around the image of what a triangle has beyond half the near depth; nothing where that is
     /// none.
     std::optional<Box> operator()(const CornersWorld& p_world) const;
-    /// The same of all that it has before the eye, however near, in a perspective.
+    /// The box around all that it has before the eye, however near, in a perspective.
     std::optional<Box> before_eye(const CornersWorld& p_world) const;
     /// The box around one corner's image; nothing where it lies nearer than half the near depth or is no
     /// place.

@@ -22,7 +22,7 @@ class TriangleCache {
     std::optional<std::size_t> place_of(PrimitiveId answer) const;
     /// The box around the triangle's image, by the bounds of every renderer.
     const Box& widest_box(std::size_t place) const { return boxes_[place].all; }
-    /// The same by those of one.
+    /// The box, and the bounds, by one renderer's bounds.
     const Box& box(std::size_t place, const ViewBounds& bounds);
     const BoundedTriangle& of(std::size_t place, const ViewBounds& bounds);
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "compare/admissible/admissible_set.h"
-#include "compare/admissible/conservative_test.h"
+#include "compare/admissible/conservative.h"
 #include "math/interval.h"
 #include "math/lazy_rational.h"
 

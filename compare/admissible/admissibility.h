@@ -38,8 +38,8 @@ struct Decision {
 /// none. In double, then by intervals, then by rationals.
 Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar);
 
-/// Of an admissible answer: may it lie there, or does what covers the pixel for certain lie in front of that
-/// inverse depth? True where it would take too much work.
+/// May an admissible answer lie there, or does what covers the pixel for certain lie in front of that inverse
+/// depth? True where it would take too much work.
 bool may_lie_at(double inverse_depth, const Neighbourhood& around, PrimitiveId answer,
                 CoplanarCache& coplanar);
 

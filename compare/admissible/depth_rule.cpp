@@ -49,7 +49,7 @@ CornerLimits corner_limits(const Neighbour& n, Projection projection, double z) 
             .is_at_nearest = z <= n.nearest + std::abs(n.nearest) * r + a};
 }
 
-/// Of a depth that nothing else bounds: may a pixel show it that is cut by near and far?
+/// May a pixel that is cut by near and far show this depth, which nothing else bounds?
 bool is_between_planes(const Camera& camera, const ViewBounds& bounds, const Neighbour& n, double z) {
     if ((z < 0 && camera.near_depth >= 0) || !bounds.can_be_stored(z)) return false;
     // a plane, a distance, where it begins, and their sum are rounded before they are compared

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "compare/admissible/admissible_set.h"
-#include "compare/admissible/conservative_test.h"
+#include "compare/admissible/conservative.h"
 #include "math/sign.h"
 
 namespace zproof {

@@ -272,7 +272,7 @@ WrongAttribute told(const InterpolatedValue& v, const ValuesBetween& admissible,
     return wrong;
 }
 
-/// Of the numbers of an attribute, the one that is farthest beyond its range.
+/// The number of an attribute that is farthest beyond its range.
 template <class Told>
 WrongAttribute worst_of(const Values& values, const Told& told_of) {
     WrongAttribute worst = told_of(values.front());

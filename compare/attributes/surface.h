@@ -14,8 +14,8 @@ struct Surface {
     TriangleBounds bounds;  ///< of a depth that is interpolated like other values
     Neighbour seen;
 
-    /// Of the weights, at least: at the centre, and anywhere in the square of depth_eps_px. Not above 0 where
-    /// double does not know the triangle's plane or that the sum is above 0.
+    /// The weights' sum is at least this: at the centre, and anywhere in the square of depth_eps_px. Not
+    /// above 0 where double does not know the triangle's plane or that the sum is above 0.
     double sum_at_centre = 0, least_sum = 0;
     double spread_at_centre = unlimited;  ///< sum of |weights| over their sum
     double least_inverse_depth = 0;       ///< of the plane in the square

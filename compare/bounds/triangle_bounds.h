@@ -25,7 +25,7 @@ struct TriangleLimits {
     double near_slack = 0, far_slack = 0;  ///< clip: the planes' places may be off by this depth, scene units
     double nearest = 0, farthest = 0;      ///< camera depths of the corners, clamped to near and far
     bool may_be_missing = false;           ///< the renderer need not draw it: it hides nothing for certain
-    /// Of eps, what each edge function is off by where it is rounded by itself, px; 0 where nothing says so.
+    /// The share of eps by which each edge function is off where it is rounded by itself, px; else 0.
     std::array<double, 3> edge_rounding_px{};
     double weight_tolerance = 0;  ///< rays: a weight down to minus this counts as inside
 

@@ -22,7 +22,7 @@ struct ViewFacts {
     }
     /// The error of a functional moment . direction as a distance in the image, px.
     double distance_px(double error, const glm::dvec3& moment) const;
-    /// Of all rays of a parallel projection, for one unit of depth.
+    /// What all rays of a parallel projection advance by, for one unit of depth.
     glm::dvec3 direction() const {
         const Camera& c = view.camera;
         return c.shear.x * c.right + c.shear.y * c.up - c.back;

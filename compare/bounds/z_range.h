@@ -29,7 +29,7 @@ double step_of_z(DepthFormat format);
 struct Quantization {
     double error = 0, bias = 0;
 };
-/// Of a z of at most z_max, made into a step in arithmetic of this roundoff.
+/// How a z of at most z_max becomes a step, in arithmetic of this roundoff.
 Quantization quantization(const RasterPrecision& precision, double z_max, double unit);
 
 }  // namespace zproof

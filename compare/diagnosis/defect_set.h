@@ -31,11 +31,11 @@ class DefectSet {
     void keep(std::vector<Claim> left);
     double pixel_count() const { return pixels_each_ * double(defects_.size()); }
     ClaimSample defects(std::size_t most) const;
-    /// Of the cells that hold a defect. Half of them where the candidate's id changes, as there are any: that
-    /// is where much is left open.
+    /// A sample of the cells that hold a defect. Half of them lie where the candidate's id changes, if any
+    /// do: that is where much is left open.
     ClaimSample agreeing(Resolution cell, std::size_t most);
 
-    /// Of a grid of such cells.
+    /// How many cells a grid of them has.
     struct Cells {
         double with_defects = 0, all = 0;
     };

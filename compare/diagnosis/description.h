@@ -23,7 +23,7 @@ class Description {
           pixels_(double(size.pixel_count())),
           bits_of_name_(std::log2(double(hypotheses))) {}
 
-    /// Of pixels whose answers nothing predicts: which they are, and what they say.
+    /// Bits that say which pixels they are whose answers nothing predicts, and what they answer.
     double of_exceptions(double count) const {
         return bits_of_choice(count, pixels_) + count * bits_of_answer_;
     }

@@ -150,7 +150,7 @@ class Diagnoser {
         return std::size_t(std::ranges::find_if_not(ranked, is_alike) - ranked.begin());
     }
 
-    /// Of those that do as well as the best, what speaks of the whole frame stands before what speaks of
+    /// Where several do as well as the best, what speaks of the whole frame stands before what speaks of
     /// parts, and what learned less from the frames before what learned more.
     void put_unlearned_first(std::vector<HypothesisTest>& ranked) const {
         if (ranked.empty()) return;
@@ -173,7 +173,7 @@ class Diagnoser {
         });
     }
 
-    /// Of those that do as well as the best.
+    /// Sorts those that do as well as the best.
     static void put_what_supposes_no_rule_first(std::vector<HypothesisTest>& ranked) {
         std::stable_partition(ranked.begin(), ranked.begin() + std::ptrdiff_t(alike(ranked)),
                               [](const HypothesisTest& t) { return t.hypothesis->supposes_no_rule; });
@@ -296,7 +296,7 @@ class Diagnoser {
         return sum / double(claims.size());
     }
 
-    /// Of the agreeing pixels beside defects in such cells, as many as the sample has; asked once.
+    /// What the declared rule leaves open at the agreeing pixels beside defects in such cells; asked once.
     double open_bits_as_declared(Resolution cell, const ClaimSample& agreeing) {
         const auto [entry, is_new] =
             declared_bits_.try_emplace({cell.width, cell.height, agreeing.claims.size()});

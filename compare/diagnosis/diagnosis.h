@@ -21,8 +21,8 @@ struct Explanation {
                   checked = 0;  ///< pixels that agree and would not under it, of those checked
     std::string look_at{};      ///< where in a renderer's code to look first, a sentence
     double saved_share = 0;     ///< of what the defects take to be told: what it spares (docs/diagnosis.md)
-    /// Of the explained defects, those at which the right answer would be admissible under it as well: it
-    /// permits them, and does not make them.
+    /// How many explained defects are those at which the right answer would be admissible under it as well:
+    /// it permits them, and does not make them.
     std::uint64_t permitted = 0;
 };
 

@@ -181,7 +181,7 @@ const std::size_t work_of_a_claim = Neighbourhood{}.most_work / 100;
 /// As much for all other answers in its place. One that needs more is left open.
 const std::size_t work_of_another = work_of_a_claim / most_others;
 
-/// The same rules, within that much work.
+/// Asks the rules, but spends no more than that much work.
 RuleOverride with_little_work(std::size_t most_work, RuleOverride amend) {
     return [most_work, amend = std::move(amend)](Neighbourhood& around, PrimitiveId answer) {
         around.most_work = most_work;

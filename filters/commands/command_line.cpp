@@ -9,7 +9,7 @@
 #include "filters/commands/commands.h"
 #include "filters/commands/precision_words.h"
 #include "filters/methods/catalogue.h"
-#include "filters/study/published.h"
+#include "filters/study/published_results.h"
 #include "program/command_line/common_options.h"
 #include "program/command_line/companion_tree.h"
 #include "program/command_line/parsing.h"

@@ -6,7 +6,7 @@
 #include "filters/study/study.h"
 #include "frame/whole_file.h"
 #include "program/interrupt.h"
-#include "program/published.h"
+#include "program/publish.h"
 #include "program/study_scenes.h"
 #include "program/threads.h"
 #include "program/version.h"

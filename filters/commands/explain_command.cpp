@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "filters/commands/commands.h"
-#include "filters/commands/configured.h"
+#include "filters/commands/configured_method.h"
 #include "filters/reference/admissible_surfaces.h"
 #include "filters/report/inspection_words.h"
 #include "program/study_scenes.h"

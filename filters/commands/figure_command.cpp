@@ -5,7 +5,7 @@
 #include "filters/report/folder.h"
 #include "frame/printable.h"
 #include "program/nearest_word.h"
-#include "program/published.h"
+#include "program/publish.h"
 #include "program/usage_error.h"
 #include "reports/output_folder.h"
 

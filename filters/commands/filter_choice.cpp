@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-#include "filters/commands/given_levels.h"
+#include "filters/commands/level_files.h"
 #include "filters/methods/catalogue.h"
 #include "program/nearest_word.h"
 #include "program/usage_error.h"
@@ -83,7 +83,7 @@ const std::vector<MethodSetting>& method_settings() {
         {"levels", "a file with mip levels, or a name with {level} in it of which level 1 exists",
          "levels 1 and on, instead of made ones",
          [](Texturing& t, const std::string& s) {
-             t.options.given_levels = given_levels(s);
+             t.options.given_levels = levels_from_files(s);
              return t.options.given_levels != nullptr;
          }},
         {"sat", "integer, float64, float32 or float32-less-mean", "how summed-area tables are kept (float64)",

@@ -4,7 +4,7 @@
 
 #include "filters/commands/commands.h"
 #include "filters/report/tables.h"
-#include "filters/study/published.h"
+#include "filters/study/published_results.h"
 #include "program/nearest_word.h"
 #include "program/threads.h"
 #include "reports/wording.h"

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "filters/commands/commands.h"
-#include "filters/commands/configured.h"
+#include "filters/commands/configured_method.h"
 #include "filters/commands/evidence_files.h"
 #include "filters/commands/view_evidence.h"
 #include "filters/report/folder.h"
@@ -18,7 +18,7 @@
 #include "math/sha256.h"
 #include "program/folder_names.h"
 #include "program/interrupt.h"
-#include "program/published.h"
+#include "program/publish.h"
 #include "program/scene_selection.h"
 #include "program/stopwatch.h"
 #include "program/study_scenes.h"

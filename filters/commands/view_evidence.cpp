@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "filters/commands/configured.h"
+#include "filters/commands/configured_method.h"
 #include "filters/reference/admissible_surfaces.h"
 #include "filters/report/inspection_json.h"
 #include "filters/study/inspection.h"

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <optional>
 
-#include "filters/conformance/sign_test.h"
+#include "filters/conformance/sign_probability.h"
 
 namespace zproof {
 

@@ -3,7 +3,7 @@
 ///
 /// Estimated are offsets that a renderer may have everywhere alike, jointly by weighted least squares over
 /// all pixels that are told apart; a verdict is given by a test of signs over rows and over columns
-/// (sign_test.h).
+/// (sign_probability.h).
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-#include "measure/selfcheck/told_frame.h"
+#include "measure/selfcheck/frame_mapping.h"
 #include "measure/selfcheck/variants.h"
 
 namespace zproof::measure {
@@ -37,7 +37,7 @@ std::vector<VariantPicture> mirrored_picture(const Scene&, const View& view) {
     const View turned = mirrored_view(view);
     const auto expected = [](const Frame& original) {
         const Resolution size = original.size();
-        return told_frame(
+        return mapped_frame(
             original, size,
             [size](int x, int y) {
                 return Pixel{size.width - 1 - x, y};

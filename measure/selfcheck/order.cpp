@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "measure/selfcheck/told_frame.h"
+#include "measure/selfcheck/frame_mapping.h"
 #include "measure/selfcheck/variants.h"
 
 namespace zproof::measure {
@@ -28,7 +28,7 @@ std::vector<VariantPicture> pictures_of_reversed_order(const Scene& scene, const
         return std::uint32_t(id) < count ? PrimitiveId(count - 1 - std::uint32_t(id)) : id;
     };
     const auto expected = [renamed](const Frame& original) {
-        return told_frame(original, original.size(), same_pixel, renamed);
+        return mapped_frame(original, original.size(), same_pixel, renamed);
     };
     return {{view, view, as_it_is, expected}};
 }

@@ -1,6 +1,6 @@
 #include <cstdint>
 
-#include "measure/selfcheck/told_frame.h"
+#include "measure/selfcheck/frame_mapping.h"
 #include "measure/selfcheck/variants.h"
 
 namespace zproof::measure {
@@ -64,7 +64,7 @@ std::vector<VariantPicture> pictures_of_halves(const Scene& scene, const View& v
         return PrimitiveId(2 * triangle + (second ? 1 : 0));
     };
     const auto expected = [half_at](const Frame& original) {
-        return told_frame(
+        return mapped_frame(
             original, original.size(),
             [](int x, int y) {
                 return Pixel{x, y};

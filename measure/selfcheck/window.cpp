@@ -1,6 +1,6 @@
 #include <array>
 
-#include "measure/selfcheck/told_frame.h"
+#include "measure/selfcheck/frame_mapping.h"
 #include "measure/selfcheck/variants.h"
 #include "scenes/pixel_lattice.h"
 
@@ -35,7 +35,7 @@ View cropped(const View& view, const Crop& crop) {
 VariantPicture picture_of(const View& view, const Crop& crop) {
     const View part = cropped(view, crop);
     const auto expected = [crop](const Frame& original) {
-        return told_frame(
+        return mapped_frame(
             original, crop.size,
             [crop](int x, int y) {
                 return Pixel{crop.x + x, crop.y + y};

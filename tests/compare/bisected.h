@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "compare/admissible/admissible_set.h"
-#include "compare/admissible/conservative_test.h"
+#include "compare/admissible/conservative.h"
 #include "compare/admissible/displacement.h"
 
 namespace zproof {

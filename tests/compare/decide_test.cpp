@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "brute_force.h"
-#include "compare/admissible/conservative_test.h"
+#include "compare/admissible/conservative.h"
 #include "math/lazy_rational.h"
 #include "random_surroundings.h"
 #include "test_scene.h"

@@ -37,7 +37,7 @@ constexpr std::array all_families{Family{Kind::signs, hypotheses_of_signs},
                                   Family{Kind::place, hypotheses_of_window},
                                   Family{Kind::precision, hypotheses_of_precision}};
 
-/// Of a frame without any triangle: what else could be wrong does not show.
+/// What may be wrong where a frame shows no triangle: nothing else would show.
 constexpr std::array families_of_blank_frames{Family{Kind::dropped, hypotheses_of_dropped_triangles},
                                               Family{Kind::parts, hypotheses_of_blank_frames}};
 

@@ -39,7 +39,7 @@ std::vector<Hypothesis> hypotheses_of_precision(const DiagnosisInput& input);
 std::vector<Hypothesis> hypotheses_of_blank_frames(const DiagnosisInput& input);
 
 /// All hypotheses, the more specific first: of two that explain the same, the first is named.
-/// Of a frame without any triangle, those alone that would leave it blank.
+/// Where a frame shows no triangle, those alone that would leave it blank.
 std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input);
 
 }  // namespace zproof

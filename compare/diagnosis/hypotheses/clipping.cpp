@@ -200,7 +200,7 @@ std::optional<double> fitted_limit(const std::vector<Observed>& observed) {
     return (smallest_drawn + largest_missing) / 2;
 }
 
-/// Of the triangles that the reference sees or the candidate shows: is it drawn anywhere?
+/// Is it drawn anywhere? Asked of the triangles that the reference sees or the candidate shows.
 std::unordered_map<std::uint32_t, bool> drawn_anywhere(const DiagnosisInput& input) {
     std::unordered_map<std::uint32_t, bool> drawn;
     for (const PrimitiveId id : input.reference.frame.primitive.pixels())

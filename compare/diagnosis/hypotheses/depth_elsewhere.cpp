@@ -63,7 +63,7 @@ Hypothesis averaged(const DiagnosisInput& input) {
     return h;
 }
 
-/// Of 2 x 2 pixels all have the depth of the first, whichever triangle they show.
+/// All 2 x 2 pixels have the depth of the first, whichever triangle they show.
 Hypothesis first_of_quad(const DiagnosisInput& input) {
     Hypothesis h = as_declared(input, "depth is that of the first of 2 x 2 pixels",
                                "A block of 2 x 2 pixels has its own ids, and the first pixel's depth.");

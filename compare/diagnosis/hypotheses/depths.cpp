@@ -79,7 +79,7 @@ Hypothesis parallel_as_perspective(const DiagnosisInput& input) {
                        });
 }
 
-/// The same the other way round.
+/// A perspective's depth is turned back as a parallel projection's.
 Hypothesis perspective_as_parallel(const DiagnosisInput& input) {
     const Camera& c = input.view.camera;
     const double per_inverse = (c.far_depth - c.near_depth) / (1 / c.near_depth - 1 / c.far_depth);
@@ -102,7 +102,7 @@ Hypothesis ray_length(const DiagnosisInput& input) {
                        "Depth is the distance from the eye along the ray, not along the view axis.", report);
 }
 
-/// The same from where the ray meets the near plane.
+/// The ray's length is counted from where it meets the near plane.
 Hypothesis ray_length_from_near(const DiagnosisInput& input) {
     const auto report = [view = input.view](const DepthBound& bound, const Claim& claim) {
         const double length = ray_length_per_depth(view, claim.x, claim.y);
@@ -112,7 +112,7 @@ Hypothesis ray_length_from_near(const DiagnosisInput& input) {
                        "Depth is the distance along the ray from where it passes the near plane.", report);
 }
 
-/// The same less near.
+/// The ray's length has lost the near depth.
 Hypothesis ray_length_less_near(const DiagnosisInput& input) {
     const auto report = [view = input.view](const DepthBound& bound, const Claim& claim) {
         return Linear{-view.camera.near_depth, ray_length_per_depth(view, claim.x, claim.y)}(bound, claim);

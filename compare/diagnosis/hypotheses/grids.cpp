@@ -63,7 +63,7 @@ Hypothesis coarse(const DiagnosisInput& input, int n, bool is_first) {
     return h;
 }
 
-/// Of a view that is sampled at the centres.
+/// A view that should be sampled at the centres is sampled beside them.
 std::vector<Hypothesis> sampled_beside(const DiagnosisInput& input) {
     if (input.view.sample.offset_px != glm::dvec2(0)) return {};
     std::vector<Hypothesis> all;
@@ -87,7 +87,7 @@ using Edges = std::array<Affine<double>, 3>;
 
 constexpr std::size_t most_edges = 2'048;
 
-/// Of pixels at which another id begins, evenly spread.
+/// The edges beside pixels at which another id begins, evenly spread.
 std::vector<Edges> edges_at_outlines(const DiagnosisInput& input) {
     const Plane<PrimitiveId>& ids = input.candidate.frame.primitive;
     std::vector<std::pair<int, int>> outline;

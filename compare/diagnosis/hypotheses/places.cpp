@@ -36,7 +36,7 @@ Hypothesis sampled(const DiagnosisInput& input, const glm::dvec2& offset_px, con
     return h;
 }
 
-/// Of a view that is sampled beside the centres.
+/// What may be wrong where a view is sampled beside the centres.
 std::vector<Hypothesis> hypotheses_of_sample(const DiagnosisInput& input) {
     const auto& [index, count, offset_px] = input.view.sample;
     if (offset_px == glm::dvec2(0)) return {};

@@ -1,4 +1,4 @@
-#include "program/published.h"
+#include "program/publish.h"
 
 #include <algorithm>
 #include <iostream>

@@ -12,6 +12,6 @@ namespace zproof {
 /// Levels 1, 2 and on. {level} in the name stands for the number: files up to the first that there is not.
 /// Without it, the name is that of one file, and its mip levels are meant. Samples of half or float32 are
 /// linear light, others sRGB of 8 bits. Null where there is no level 1. Throws FrameError.
-std::shared_ptr<const std::vector<texture::LinearImage>> given_levels(const std::string& name);
+std::shared_ptr<const std::vector<texture::LinearImage>> levels_from_files(const std::string& name);
 
 }  // namespace zproof

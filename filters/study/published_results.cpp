@@ -1,4 +1,4 @@
-#include "filters/study/published.h"
+#include "filters/study/published_results.h"
 
 #include <algorithm>
 #include <array>

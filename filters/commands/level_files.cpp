@@ -1,4 +1,4 @@
-#include "filters/commands/given_levels.h"
+#include "filters/commands/level_files.h"
 
 #include <array>
 #include <chrono>
@@ -86,7 +86,7 @@ std::vector<LinearImage> from_bytes(const oracle::Bytes& bytes) {
 }  // namespace
 
 /// In a process of its own, since readers of images may crash.
-std::shared_ptr<const std::vector<LinearImage>> given_levels(const std::string& name) {
+std::shared_ptr<const std::vector<LinearImage>> levels_from_files(const std::string& name) {
     const std::string mark = "{level}";
     const bool is_in_files = name.find(mark) != std::string::npos;
     if (!is_in_files && !std::filesystem::exists(name)) return nullptr;

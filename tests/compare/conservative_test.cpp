@@ -1,5 +1,5 @@
 /// What double precision says for certain exact rationals must say as well.
-#include "compare/admissible/conservative_test.h"
+#include "compare/admissible/conservative.h"
 
 #include <gtest/gtest.h>
 

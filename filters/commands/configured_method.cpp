@@ -1,4 +1,4 @@
-#include "filters/commands/configured.h"
+#include "filters/commands/configured_method.h"
 
 #include "oracle/oracle_error.h"
 

@@ -12,8 +12,8 @@ struct Pixel {
 };
 
 /// A frame of that size: what stands at each pixel is what `frame` has at from(x, y), its id renamed.
-inline Frame told_frame(const Frame& frame, Resolution size, const std::function<Pixel(int, int)>& from,
-                        const std::function<PrimitiveId(PrimitiveId, Pixel)>& renamed) {
+inline Frame mapped_frame(const Frame& frame, Resolution size, const std::function<Pixel(int, int)>& from,
+                          const std::function<PrimitiveId(PrimitiveId, Pixel)>& renamed) {
     Frame told(size);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {

@@ -1,4 +1,4 @@
-#include "cli/plan/typed_out.h"
+#include "cli/plan/explicit_words.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -29,7 +29,7 @@ void type_out(const CLI::Option& option, std::vector<std::string>& words) {
 
 }  // namespace
 
-std::vector<std::string> run_typed_out(const CLI::App& app) {
+std::vector<std::string> explicit_run_words(const CLI::App& app) {
     std::vector<std::string> words{"run"};
     for (const CLI::Option* option : app.get_options()) {
         const std::string name = option->get_name();

@@ -10,6 +10,6 @@ namespace zproof {
 
 /// Does the work. What it throws becomes a line on stderr and an exit code; `refusal`, as it is then, says
 /// what could not be done.
-ExitCode guarded(const std::string_view& refusal, const std::function<ExitCode()>& work);
+ExitCode report_failures(const std::string_view& refusal, const std::function<ExitCode()>& work);
 
 }  // namespace zproof

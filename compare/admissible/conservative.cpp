@@ -1,4 +1,4 @@
-#include "compare/admissible/conservative_test.h"
+#include "compare/admissible/conservative.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "program/guarded.h"
+#include "program/failure.h"
 
 #include <exception>
 #include <iostream>
@@ -21,7 +21,7 @@ ExitCode complain(std::string_view kind, const std::exception& e, ExitCode code)
 
 }  // namespace
 
-ExitCode guarded(const std::string_view& refusal, const std::function<ExitCode()>& work) {
+ExitCode report_failures(const std::string_view& refusal, const std::function<ExitCode()>& work) {
     try {
         return work();
     } catch (const UsageError& e) {

@@ -1,5 +1,5 @@
 // Mip chains that a user brings: as one image per level, or as one file.
-#include "filters/commands/given_levels.h"
+#include "filters/commands/level_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -68,7 +68,8 @@ TEST_F(GivenLevels, OfOneFileAreThoseOfAFilePerLevel) {
                   Plane<Rgb8>(Resolution{side >> level, side >> level}, Rgb8{grey, grey, grey}));
     }
     folder.write("chain.dds", grey_dds());
-    const auto in_files = given_levels(path("l{level}.png")), in_one = given_levels(path("chain.dds"));
+    const auto in_files = levels_from_files(path("l{level}.png")),
+               in_one = levels_from_files(path("chain.dds"));
     ASSERT_TRUE(in_files && in_one);
     EXPECT_EQ(in_files->size(), 4u);
     expect_same(*in_one, *in_files);
@@ -81,7 +82,7 @@ TEST_F(GivenLevels, OfTiffAndOpenExrAreReadToo) {
     for (const char* made :
          {"maketx --format tiff -o tiff.tx grey.png", "maketx --format exr -o exr.tx grey.exr"})
         ASSERT_EQ(std::system(("cd " + folder.path().string() + " && " + made + " > /dev/null").c_str()), 0);
-    const auto bytes = given_levels(path("tiff.tx")), reals = given_levels(path("exr.tx"));
+    const auto bytes = levels_from_files(path("tiff.tx")), reals = levels_from_files(path("exr.tx"));
     ASSERT_TRUE(bytes && reals);
     ASSERT_EQ(bytes->size(), 4u);
     ASSERT_EQ(reals->size(), 4u);
@@ -93,14 +94,14 @@ TEST_F(GivenLevels, OfTiffAndOpenExrAreReadToo) {
 TEST_F(GivenLevels, AreNoneWhereThereIsNoLevelOne) {
     write_png(folder.path() / "one.png", Plane<Rgb8>(Resolution{4, 4}, Rgb8{1, 2, 3}));
     for (const char* name : {"one.png", "none.png", "l{level}.png"})
-        EXPECT_FALSE(given_levels(path(name))) << name;
+        EXPECT_FALSE(levels_from_files(path(name))) << name;
 }
 
 TEST_F(GivenLevels, OfABrokenFileAreRefused) {
     folder.write("cut.dds", grey_dds().substr(0, 400));
-    EXPECT_THAT(complaint<FrameError>([&] { given_levels(path("cut.dds")); }), HasSubstr("cut.dds"));
+    EXPECT_THAT(complaint<FrameError>([&] { levels_from_files(path("cut.dds")); }), HasSubstr("cut.dds"));
     folder.write("l1.png", "no image");
-    EXPECT_THAT(complaint<FrameError>([&] { given_levels(path("l{level}.png")); }), HasSubstr("l1.png"));
+    EXPECT_THAT(complaint<FrameError>([&] { levels_from_files(path("l{level}.png")); }), HasSubstr("l1.png"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "filters/conformance/sign_test.h"
+#include "filters/conformance/sign_probability.h"
 
 #include <gtest/gtest.h>
 

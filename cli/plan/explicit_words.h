@@ -12,7 +12,7 @@ namespace zproof {
 
 /// The words of a run that mean what `app`, which has been parsed and given its settings, means: all that
 /// bears on the judgement, and nothing of the machine. It listens to no settings.
-std::vector<std::string> run_typed_out(const CLI::App& app);
+std::vector<std::string> explicit_run_words(const CLI::App& app);
 
 /// With a plan nothing else may be typed. Throws UsageError.
 void require_machine_words(const CLI::App& run);
