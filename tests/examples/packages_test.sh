@@ -75,6 +75,11 @@ case $way in
         ;;
     unpacked)
         "$source/packaging/make.sh" "$build" packages
+        # The name under which the Action looks for it (packaging/action/install.sh).
+        version=$(sed -n 's/^project(zproof VERSION \([0-9.]*\).*/\1/p' "$source/CMakeLists.txt")
+        system=$(. /etc/os-release && echo "$ID${VERSION_ID:-}")
+        name=zproof_$version-${system}_$(dpkg --print-architecture).deb
+        [ -f "packages/$name" ] || die "no $name among $(ls packages)"
         for package in packages/*.deb; do quietly dpkg -x "$package" root; done
         root/usr/bin/zproof --version
         if git -C "$source" rev-parse --git-dir >/dev/null 2>&1; then
