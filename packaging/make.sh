@@ -2,7 +2,7 @@
 # Makes the packages of a build whose target zproof_packaged is up to date (./dev package sees to that):
 #   make.sh BUILD_FOLDER FOLDER
 # leaves zproof_VERSION_ARCH.deb, libzproof-dev_VERSION_ARCH.deb, python3-zproof_VERSION_ARCH.deb (where the module was built)
-# and zproof-VERSION-linux-ARCH.tar.gz in FOLDER.
+# and zproof-VERSION-linux-ARCH.tar.gz in FOLDER. VERSION names the system that they are built for: 0.2.0-debian12.
 set -euo pipefail
 [ $# = 2 ] || { sed -n '2,5p' "$0" >&2; exit 2; }
 build=$(realpath "$1")

@@ -19,7 +19,7 @@ using Files = std::span<const AdmittedFile>;
 
 /// tinygltf asks for the buffers' files first, in order, and then for those of the images, which it is told
 /// are not there: only images in use are read, and later. The names that it asks by are not looked at.
-/// Callbacks: tinygltf::FsCallbacks, which has a size from version 2.9 on.
+/// Callbacks: tinygltf::FsCallbacks, which has a size from version 2.8 on.
 template <class Callbacks>
 Callbacks in_order(Files& files) {
     Callbacks callbacks{};
@@ -44,7 +44,7 @@ Callbacks in_order(Files& files) {
     return callbacks;
 }
 
-/// tinygltf 2.9 refuses callbacks of which one is missing, and would open files by itself; 2.7 takes all.
+/// From 2.8.23 on tinygltf refuses callbacks of which one is missing, and would open files by itself.
 template <class Parser>
 void let_read(Parser& parser, Files& files) {
     const auto callbacks = in_order<tinygltf::FsCallbacks>(files);

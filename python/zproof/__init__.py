@@ -8,6 +8,14 @@
 docs/python.md tells the rest.
 """
 
+import os as _os
+import sys as _sys
+
+# Where pip installed both into a venv, the program is that of the venv, whatever PATH says.
+_program = _os.path.join(_sys.prefix, "bin", "zproof")
+if _sys.prefix != _sys.base_prefix and _os.access(_program, _os.X_OK):
+    _os.environ.setdefault("ZPROOF_PROGRAM", _program)
+
 from zproof import filters
 from zproof._zproof import (
     BACKGROUND_ID,

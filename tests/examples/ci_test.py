@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """The CI files: action.yml, templates/gate.yml and those of examples/ci. Their shape, and every command in them, run on
-small scenes. Of the Action's steps only the installation is left out, which needs root.
+small scenes. Of the Action's steps only the installation is left out, which install_test.py tries.
 
     ci_test.py ZPROOF SOURCE_FOLDER
 """
+import hashlib
 import os
 import re
 import shutil
@@ -58,7 +59,7 @@ class Action:
         require_keys(action, ['name', 'description', 'inputs', 'outputs', 'runs'], [], 'action.yml')
         self.inputs, self.steps = action['inputs'], action['runs']['steps']
         require(action['runs']['using'] == 'composite', 'action.yml: it is not composite')
-        require_inputs_used(self.inputs, set(re.findall(r'inputs\.([a-z-]+)', text)), 'action.yml')
+        require_inputs_used(self.inputs, set(re.findall(r'inputs\.([a-z0-9-]+)', text)), 'action.yml')
         for name, one in self.inputs.items():
             require_keys(one, ['description', 'default'], [], f'input {name}')
         for step in self.steps:
@@ -139,21 +140,13 @@ def try_bad_renderers(action, place, environment):
         shutil.rmtree(place / 'bad', ignore_errors=True)
 
 
-def try_bad_packages(source, place):
-    """What cannot be installed is refused before anything is: this test is no root."""
-    for package, words in (('', 'no package'), ('gone.deb', 'gone.deb: no such file'), ('*', 'several files')):
-        ran = subprocess.run([source / 'packaging/action/install.sh'], cwd=place, text=True, stderr=subprocess.PIPE,
-                             env=dict(os.environ, PACKAGE=package, REPOSITORY=''))
-        require(ran.returncode == 3 and words in ran.stderr, f'package "{package}": {ran.returncode}, {ran.stderr}')
-
-
 # --- GitLab ------------------------------------------------------------------------------------------------
 
 def try_gitlab(source, place, environment):
     text = (source / 'templates/gate.yml').read_text()
     header, jobs = (part for part in text.split('\n---\n'))
     inputs = yaml.safe_load(header)['spec']['inputs']
-    require_inputs_used(inputs, set(re.findall(r'\$\[\[ inputs\.([a-z_]+) \]\]', jobs)), 'gate.yml')
+    require_inputs_used(inputs, set(re.findall(r'\$\[\[ inputs\.([a-z0-9_]+) \]\]', jobs)), 'gate.yml')
     include = yaml.safe_load((source / 'examples/ci/gitlab-ci.yml').read_text())['include'][0]
     require(include['component'].endswith('/zproof/gate@v' + zproof_version(source)), 'another component or version')
     require_keys(include['inputs'], [name for name, one in inputs.items() if 'default' not in one], inputs,
@@ -166,6 +159,7 @@ def try_gitlab(source, place, environment):
     variables = {name: filled(value, values, '$[[', ']]') for name, value in jobs['.zproof']['variables'].items()}
     for line in jobs['.zproof']['before_script']:  # needs root
         require(subprocess.run(['sh', '-n', '-c', line]).returncode == 0, f'no shell reads: {line}')
+    try_gitlab_sum(jobs['.zproof']['before_script'], place)
     judge, verdict = jobs['zproof:judge'], jobs['zproof:verdict']
     require(verdict['artifacts']['reports']['junit'] == 'zproof-out/junit.xml', 'no JUnit')
     total = int(filled(str(judge['parallel']), values, '$[[', ']]'))
@@ -175,6 +169,18 @@ def try_gitlab(source, place, environment):
         ran = subprocess.run(['sh', '-e', '-c', script], cwd=place, env=environment | variables | node, text=True,
                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         require(ran.returncode == 0, f'status {ran.returncode}:\n{script}\n{ran.stdout}')
+
+
+def try_gitlab_sum(lines, place):
+    """Before the package is installed, its sum is looked at where one is given."""
+    check = [number for number, line in enumerate(lines) if 'sha256sum' in line]
+    require(len(check) == 1 and check[0] + 1 == len(lines) - 1, f'gate.yml: no sum is looked at before {lines[-1]}')
+    (place / 'some_1.deb').write_text('a package')
+    right = hashlib.sha256(b'a package').hexdigest()
+    for sha256, expected in (('', True), (right, True), (right[1:] + right[0], False)):
+        ran = subprocess.run(['sh', '-c', lines[check[0]]], cwd=place, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                             env=dict(os.environ, PACKAGE='some_*.deb', PACKAGE_SHA256=sha256))
+        require((ran.returncode == 0) == expected, f'gate.yml: sum {sha256!r}: status {ran.returncode}')
 
 
 # --- a project that uses them ------------------------------------------------------------------------------
@@ -219,7 +225,6 @@ def main():
                 require((place / 'zproof-out' / name).stat().st_size > 0, f'{server}: {name} is empty')
             if action:
                 try_bad_renderers(action, place, environment)
-                try_bad_packages(source, place)
 
 
 if __name__ == '__main__':

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # What docs/packages.md promises, kept: zproof is installed, or unpacked from its Debian packages, and somebody's project
-# finds it, links it, and gets its tests from zproof_add_scene_test.
-#   packages_test.sh installed|unpacked|subfolder BUILD_FOLDER SOURCE_FOLDER
+# finds it, links it, and gets its tests from zproof_add_scene_test. pip: what docs/python.md promises of a venv.
+#   packages_test.sh installed|unpacked|subfolder|pip BUILD_FOLDER SOURCE_FOLDER
 set -euo pipefail
-way=$1 build=$2 source=$3
+way=$1 build=$(realpath "$2") source=$(realpath "$3")
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 cd "$place"
@@ -50,9 +50,9 @@ try_tarball() {
     grep -q 'libopenimageio' log || die "a missing image module is not named"
 }
 
-# try_python PREFIX: the module works where it is installed, reads images, and has its plugin.
+# try_python PYTHON...: the module works where it is installed, reads images, and has its plugin.
 try_python() {
-    quietly env PYTHONPATH="$1/lib/python3/dist-packages" ZPROOF_PROGRAM="$1/bin/zproof" /usr/bin/python3 - <<'END'
+    quietly "$@" - <<'END'
 import importlib.metadata, numpy, zproof
 scene = zproof.load("guard_band", size=(64, 40))
 view, = list(scene.views.values())[:1]
@@ -65,16 +65,49 @@ END
     [ -s python-report/report.html ] || die "the Python module wrote no report"
 }
 
+# A Python that looks below PREFIX.
+try_python_below() {
+    try_python env PYTHONPATH="$1/lib/python3/dist-packages" ZPROOF_PROGRAM="$1/bin/zproof" /usr/bin/python3
+}
+
+# In a venv pip brings the module and the program, without the network. A wheel comes first; both builds are in one folder, so
+# that zproof is compiled once.
+try_pip() {
+    local python packages library
+    export PIP_NO_INDEX=1
+    python=$(sed -n 's/^PYTHON_EXECUTABLE:[A-Z]*=//p' "$build/CMakeCache.txt")
+    quietly "$python" -m venv --system-site-packages venv
+    quietly venv/bin/python -m build --wheel --no-isolation --config-setting=build-dir="$build/pip" -o wheels "$source"
+    [ -n "$(compgen -G 'wheels/zproof-*-cp3*-linux_*.whl')" ] || die "no wheel among $(ls wheels)"
+    quietly venv/bin/pip install --no-build-isolation --config-settings=build-dir="$build/pip" "$source"
+    packages=$(realpath venv/lib/python3*/site-packages)
+    [ "$(venv/bin/python -c 'import zproof; print(zproof.__file__)')" = "$packages/zproof/__init__.py" ] ||
+        die "the module is not that of the venv"
+    try_python venv/bin/python
+    quietly venv/bin/zproof run guard_band --width 64 --height 40 --oracle none --pictures --evidence all
+    [ -s zproof-out/report.html ] || die "the program of the venv wrote no report"
+    for library in libembree libOpenImageIO libtbb; do
+        grep -q "^$library.*\.so\." "$packages"/zproof-*.dist-info/libraries.txt || die "the wheel does not name $library"
+    done
+    quietly venv/bin/pip uninstall -y zproof
+    [ -z "$(find venv -name '*zproof*')" ] || die "pip left $(find venv -name '*zproof*')"
+}
+
 case $way in
     installed)
         quietly cmake --install "$build" --prefix "$place/prefix"
-        try_python "$place/prefix"
+        try_python_below "$place/prefix"
         configure_consumer -DCMAKE_PREFIX_PATH="$place/prefix"
         quietly cmake --build consumer
         try_tests
         ;;
     unpacked)
         "$source/packaging/make.sh" "$build" packages
+        # The name under which the Action looks for it (packaging/action/install.sh).
+        version=$(sed -n 's/^project(zproof VERSION \([0-9.]*\).*/\1/p' "$source/CMakeLists.txt")
+        system=$(. /etc/os-release && echo "$ID${VERSION_ID:-}")
+        name=zproof_$version-${system}_$(dpkg --print-architecture).deb
+        [ -f "packages/$name" ] || die "no $name among $(ls packages)"
         for package in packages/*.deb; do quietly dpkg -x "$package" root; done
         root/usr/bin/zproof --version
         if git -C "$source" rev-parse --git-dir >/dev/null 2>&1; then
@@ -82,7 +115,7 @@ case $way in
             git -C "$source" cat-file -e "$commit^{commit}" || die "--version names no commit of this repository"
         fi
         try_tarball
-        try_python root/usr
+        try_python_below root/usr
         "$source/tests/examples/container_test.sh" "$source" packages
         man -l root/usr/share/man/man1/zproof.1.gz | grep -q 'zproof filters check' || die "the manual page says too little"
         for script in bash-completion/completions/zproof fish/vendor_completions.d/zproof.fish \
@@ -107,5 +140,6 @@ case $way in
             try_tests
         fi
         ;;
+    pip) try_pip ;;
     *) die "no such way: $way" ;;
 esac
