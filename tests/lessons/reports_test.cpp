@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
 
 #include "lessons/cost/report.h"
 #include "lessons/depth/report.h"
@@ -20,11 +22,11 @@ document::Document with(document::Document document, const std::vector<document:
     return document;
 }
 
-const document::Table& table_of(const document::Document& document, const std::string& name) {
+const document::Table& table_of(const document::Document& document, std::string_view name) {
     for (const document::Section& section : document.sections)
         for (const document::Item& item : section.items)
             if (document::name_of(item) == name) return std::get<document::Table>(item);
-    throw std::out_of_range(name);
+    throw std::out_of_range(std::string{name});
 }
 
 study::depth::GapStudy few_gaps() {

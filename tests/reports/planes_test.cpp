@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
+#include <string_view>
 
 #include "reports/planes/coding.h"
 #include "reports/planes/deflate.h"
@@ -199,10 +201,10 @@ struct SamplePlanes {
                       .stories = {}};
 };
 
-const Block& block_named(const Container& container, const std::string& name) {
+const Block& block_named(const Container& container, std::string_view name) {
     for (const Block& block : container.blocks)
         if (block.name == name) return block;
-    throw std::runtime_error("no block " + name);
+    throw std::runtime_error("no block " + std::string{name});
 }
 
 TEST(ViewPlanes, HoldBothFramesBitForBit) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
 
 #include "lessons/projection/accuracy.h"
 #include "lessons/projection/border_lattice.h"
@@ -35,12 +37,11 @@ Scene random_cloud(int count) {
     return cloud(points);
 }
 
-const RouteScore& score_of(const ViewAccuracy& accuracy, const std::string& route,
-                           const std::string& numbers) {
+const RouteScore& score_of(const ViewAccuracy& accuracy, std::string_view route, std::string_view numbers) {
     const auto found = std::ranges::find_if(accuracy.routes, [&](const RouteScore& score) {
         return score.route == route && score.numbers == numbers;
     });
-    if (found == accuracy.routes.end()) throw std::runtime_error{route + ": no such score"};
+    if (found == accuracy.routes.end()) throw std::runtime_error{std::string{route} + ": no such score"};
     return *found;
 }
 
