@@ -135,7 +135,7 @@ void bind_explanation(py::module_& module) {
         .def("__repr__", [](const api::Explanation& e) { return e.text; });
     py::class_<api::Diagnosis>(module, "Diagnosis", "What one cause would explain. str() of it is one line.")
         .def_readonly("text", &api::Diagnosis::text)
-        .def_readonly("cause", &api::Diagnosis::cause, "Empty: no single cause.")
+        .def_readonly("cause", &api::Diagnosis::cause, "Empty: none is certain.")
         .def_readonly("explained_share", &api::Diagnosis::explained_share)
         .def_readonly("defects", &api::Diagnosis::defects)
         .def("__str__", [](const api::Diagnosis& d) { return d.text; })

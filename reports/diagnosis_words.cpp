@@ -38,9 +38,9 @@ std::string cause_in_words(const Explanation& cause, const Diagnosis& d) {
 
 std::string in_words(const Diagnosis& d) {
     if (d.cause) return cause_in_words(*d.cause, d);
-    if (d.runners_up.empty()) return "no single cause: no hypothesis explains the defects";
+    if (d.runners_up.empty()) return "no cause is certain: no hypothesis explains the defects";
     const Explanation& best = d.runners_up.front();
-    return "no single cause; at best, " + best.name + " (would explain " + extent_of(best, d) + ")";
+    return "no cause is certain; at best, " + best.name + " (would explain " + extent_of(best, d) + ")";
 }
 
 }  // namespace zproof

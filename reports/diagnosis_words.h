@@ -14,8 +14,8 @@ std::string percent(double share);
 /// defects" where only some were asked.
 std::string extent_of(const Explanation& explanation, const Diagnosis& diagnosis);
 
-/// "likely cause: the image is flipped in y (explains 100% of 1,204 defects)", or "no single cause" with the
-/// best that was found.
+/// "likely cause: the image is flipped in y (explains 100% of 1,204 defects)", or "no cause is certain" with
+/// the best that was found.
 std::string in_words(const Diagnosis& diagnosis);
 
 }  // namespace zproof

@@ -201,7 +201,7 @@ struct Explanation {
 /// What one cause would explain.
 struct Diagnosis {
     std::string text;   ///< one line
-    std::string cause;  ///< "the image is flipped in y"; empty: no single cause
+    std::string cause;  ///< "the image is flipped in y"; empty: none is certain
     double explained_share = 0;
     std::uint64_t defects = 0;
 };

@@ -13,7 +13,7 @@ namespace zproof {
 
 struct FrameFault {
     std::string name;   ///< letters, digits and '_'
-    std::string cause;  ///< as compare/diagnosis/hypotheses/ calls it; empty: no single cause
+    std::string cause;  ///< as compare/diagnosis/hypotheses/ calls it; empty: none is certain
     std::function<Frame(const Scene&, const View&, const Frame& good)> inject;
     std::string scene = "room";  ///< of the suite
 };
