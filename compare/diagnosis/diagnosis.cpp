@@ -77,10 +77,10 @@ class Diagnoser {
         : input_(input),
           defect_set_(input.candidate.frame, verdict),
           hypotheses_(all_hypotheses(input)),
-          declared_(as_declared(input, "", "")),
+          declared_(as_declared(input, {})),
           description_(input.scene, input.candidate.frame.size(), hypotheses_.size()) {
         std::erase_if(hypotheses_,
-                      [&](const Hypothesis& h) { return std::ranges::count(without, h.name) > 0; });
+                      [&](const Hypothesis& h) { return std::ranges::count(without, h.cause.name) > 0; });
         open_bits_of_right_pixel_ = open_bits_of_right_pixel();
     }
 
@@ -119,9 +119,9 @@ class Diagnoser {
         std::vector<HypothesisTest> tests;
         for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
             const Hypothesis& h = hypotheses_[i];
+            const auto& [name, description, look_at] = h.cause;
             if (may_apply(h))
-                tests.push_back(
-                    {&h, i, {.name = h.name, .description = h.description, .look_at = h.look_at}});
+                tests.push_back({&h, i, {.name = name, .description = description, .look_at = look_at}});
         }
         return tests;
     }

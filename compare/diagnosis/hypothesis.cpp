@@ -22,9 +22,8 @@ double floats_within(const ReportedDepth& range) {
     return std::max(0.0, place_among_floats(range.high) - place_among_floats(range.low)) + 1;
 }
 
-Hypothesis as_declared(const DiagnosisInput& input, std::string name, std::string description) {
-    return {.name = std::move(name),
-            .description = std::move(description),
+Hypothesis as_declared(const DiagnosisInput& input, Cause cause) {
+    return {.cause = std::move(cause),
             .cell = {input.view.width, input.view.height},
             .view = input.view,
             .precision = input.candidate.precision,

@@ -31,10 +31,15 @@ struct ReportedDepth {
     double low = 0, high = 0;
 };
 
-struct Hypothesis {
+/// What a hypothesis says, in words. No field has a default: one that is left out does not compile.
+struct Cause {
     std::string name;         ///< what is wrong, as a clause: "the image is flipped in y"
     std::string description;  ///< one line: what is supposed of the defective pixels, or of the frame
-    std::string look_at{};    ///< where in a renderer's code to look first: one sentence
+    std::string look_at;      ///< where in a renderer's code to look first: one sentence
+};
+
+struct Hypothesis {
+    Cause cause;
     /// Bits that it takes to tell what it learned from the two frames.
     double learned_bits = 0;
     bool fits_a_limit =
@@ -85,6 +90,6 @@ inline constexpr double bits_of_a_number = 32;
 View shifted_view(const View& view, const glm::dvec2& step_px);
 
 /// Supposes nothing yet: the view as it is, drawn as precisely as declared.
-Hypothesis as_declared(const DiagnosisInput& input, std::string name, std::string description);
+Hypothesis as_declared(const DiagnosisInput& input, Cause cause);
 
 }  // namespace zproof

@@ -60,7 +60,7 @@ struct GapView {
     bool is_explained(const RuleOverride& rule, CheckDetail detail = CheckDetail::admissibility) const {
         const RenderedFrame both{frame, precision};
         const DiagnosisInput input{scene, view, both, both};
-        Hypothesis h = as_declared(input, "", "");
+        Hypothesis h = as_declared(input, {});
         h.amend = rule;
         const Claim claim{0, 0, {PrimitiveId{0}, 8.0f}};
         const HypothesisQuery query{&h, {&claim, 1}};

@@ -5,8 +5,6 @@
 #include <span>
 #include <utility>
 
-#include "compare/diagnosis/hypotheses/look_at.h"
-
 namespace zproof {
 
 namespace {
@@ -53,7 +51,6 @@ std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input) {
             h.kind = int(family.kind);
             all.push_back(std::move(h));
         }
-    for (Hypothesis& h : all) h.look_at = look_at(h.name);
     return all;
 }
 

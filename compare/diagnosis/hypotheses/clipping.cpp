@@ -21,9 +21,8 @@ Fate dropped_below(double number, double limit, double error) {
 }
 
 template <class FateOf>
-Hypothesis dropped(const DiagnosisInput& input, const std::string& name, const std::string& description,
-                   FateOf fate_of) {
-    Hypothesis h = as_declared(input, name, description);
+Hypothesis dropped(const DiagnosisInput& input, const Cause& cause, FateOf fate_of) {
+    Hypothesis h = as_declared(input, cause);
     h.amend = [fate_of](Neighbourhood& around, PrimitiveId) {
         std::erase_if(around.neighbours, [&](Neighbour& n) {
             const Fate fate = fate_of(around, n);
@@ -46,22 +45,27 @@ CameraCorner in_camera(const Camera& c, const glm::vec3& p_world) {
 }
 
 Hypothesis across_near(const DiagnosisInput& input) {
-    return dropped(input, "triangles across the near plane are dropped",
-                   "A triangle with a corner nearer than the near plane is left out instead of clipped.",
-                   [](const Neighbourhood& around, const Neighbour& n) {
-                       Fate fate = Fate::drawn;
-                       for (const glm::vec3& p : n.p_world) {
-                           const CameraCorner corner = in_camera(around.view.camera, p);
-                           fate = std::max(fate, dropped_below(corner.depth, around.view.camera.near_depth,
-                                                               corner.error + n.near_slack));
-                       }
-                       return fate;
-                   });
+    return dropped(
+        input,
+        {"triangles across the near plane are dropped",
+         "A triangle with a corner nearer than the near plane is left out instead of clipped.",
+         "Look at clipping: a triangle with a corner before the near plane must be cut, not rejected."},
+        [](const Neighbourhood& around, const Neighbour& n) {
+            Fate fate = Fate::drawn;
+            for (const glm::vec3& p : n.p_world) {
+                const CameraCorner corner = in_camera(around.view.camera, p);
+                fate = std::max(fate, dropped_below(corner.depth, around.view.camera.near_depth,
+                                                    corner.error + n.near_slack));
+            }
+            return fate;
+        });
 }
 
 Hypothesis across_far(const DiagnosisInput& input) {
-    return dropped(input, "triangles across the far plane are dropped",
-                   "A triangle with a corner beyond the far plane is left out instead of clipped.",
+    return dropped(input,
+                   {"triangles across the far plane are dropped",
+                    "A triangle with a corner beyond the far plane is left out instead of clipped.",
+                    "Look at clipping: reject a triangle only if all its corners lie beyond the far plane."},
                    [](const Neighbourhood& around, const Neighbour& n) {
                        Fate fate = Fate::drawn;
                        for (const glm::vec3& p : n.p_world) {
@@ -74,16 +78,19 @@ Hypothesis across_far(const DiagnosisInput& input) {
 }
 
 Hypothesis behind_eye(const DiagnosisInput& input) {
-    return dropped(input, "triangles with a corner behind the eye are dropped",
-                   "A triangle with a corner at a depth of 0 or less is left out instead of clipped.",
-                   [](const Neighbourhood& around, const Neighbour& n) {
-                       Fate fate = Fate::drawn;
-                       for (const glm::vec3& p : n.p_world) {
-                           const CameraCorner corner = in_camera(around.view.camera, p);
-                           fate = std::max(fate, dropped_below(corner.depth, 0, corner.error + n.near_slack));
-                       }
-                       return fate;
-                   });
+    return dropped(
+        input,
+        {"triangles with a corner behind the eye are dropped",
+         "A triangle with a corner at a depth of 0 or less is left out instead of clipped.",
+         "Look at clipping: a triangle with a corner of w <= 0 must be cut before the division by w."},
+        [](const Neighbourhood& around, const Neighbour& n) {
+            Fate fate = Fate::drawn;
+            for (const glm::vec3& p : n.p_world) {
+                const CameraCorner corner = in_camera(around.view.camera, p);
+                fate = std::max(fate, dropped_below(corner.depth, 0, corner.error + n.near_slack));
+            }
+            return fate;
+        });
 }
 
 /// A box of raster space, px.
@@ -153,9 +160,8 @@ DoubleArea double_area(const View& view, const CornersWorld& p_world, double eps
     return {std::abs(a.x * b.y - a.y * b.x), 2 * eps_px * size + 8 * eps_px * eps_px};
 }
 
-Hypothesis below_area(const DiagnosisInput& input, double least_px2, const std::string& name,
-                      const std::string& description) {
-    return dropped(input, name, description, [=](const Neighbourhood& around, const Neighbour& n) {
+Hypothesis below_area(const DiagnosisInput& input, double least_px2, const Cause& cause) {
+    return dropped(input, cause, [=](const Neighbourhood& around, const Neighbour& n) {
         const DoubleArea area = double_area(around.view, n.p_world, n.bounds.eps_px);
         return dropped_below(area.px2, 2 * least_px2, area.error);
     });
@@ -176,7 +182,9 @@ Determinant determinant_of(const ViewRay<double>& ray, const CornersWorld& p_wor
 
 Hypothesis below_determinant(const DiagnosisInput& input, double least, const std::string& name,
                              const std::string& description) {
-    return dropped(input, name, description, [=](const Neighbourhood& around, const Neighbour& n) {
+    const char* epsilon =
+        "Look at the ray test's epsilon: it scales with the triangle's area; reject 0 alone.";
+    return dropped(input, {name, description, epsilon}, [=](const Neighbourhood& around, const Neighbour& n) {
         const Determinant d = determinant_of(ViewRay<double>(around.view, around.x, around.y), n.p_world);
         return dropped_below(d.size, least, d.error);
     });
@@ -216,9 +224,12 @@ std::vector<Hypothesis> fitted_to_area(const DiagnosisInput& input) {
         observed.push_back({double_area(input.view, corners_of(input.scene, triangle), 0).px2 / 2, is_drawn});
     const std::optional<double> limit = fitted_limit(observed);
     if (!limit || !std::isfinite(*limit)) return {};
-    Hypothesis h = below_area(input, *limit, "small triangles are dropped",
-                              "Triangles whose image is smaller than " + number_text(*limit, 3) +
-                                  " px^2 are not drawn: a limit fitted to what is missing.");
+    Hypothesis h = below_area(
+        input, *limit,
+        {"small triangles are dropped",
+         "Triangles whose image is smaller than " + number_text(*limit, 3) +
+             " px^2 are not drawn: a limit fitted to what is missing.",
+         "Look at the test that rejects small triangles, and at bounding boxes that round to nothing."});
     h.learned_bits = bits_of_a_number;
     h.fits_a_limit = true;
     return {h};
@@ -259,8 +270,10 @@ std::vector<Hypothesis> beyond_a_count(const DiagnosisInput& input) {
     }
     if (last_drawn >= last_seen) return {};
     Hypothesis h =
-        dropped(input, "triangles beyond a count are not drawn",
-                "None is drawn behind triangle " + std::to_string(last_drawn) + ", the last that is shown.",
+        dropped(input,
+                {"triangles beyond a count are not drawn",
+                 "None is drawn behind triangle " + std::to_string(last_drawn) + ", the last that is shown.",
+                 "Look at buffers of a fixed size, at the number of indices drawn, and at 16-bit counters."},
                 [last_drawn](const Neighbourhood&, const Neighbour& n) {
                     return n.triangle > last_drawn ? Fate::dropped : Fate::drawn;
                 });
@@ -272,18 +285,29 @@ std::vector<Hypothesis> beyond_a_count(const DiagnosisInput& input) {
 }  // namespace
 
 std::vector<Hypothesis> hypotheses_of_dropped_triangles(const DiagnosisInput& input) {
+    const char* small_test = "Look at the test that rejects small triangles: only an area of 0 may go.";
     std::vector<Hypothesis> all{
         across_near(input),
         behind_eye(input),
         across_far(input),
-        dropped(input, "triangles across the guard band are dropped",
-                "A triangle with a corner beyond +-32768 px is left out.", fate_at_guard_band),
-        dropped(input, "triangles across a side of the picture are dropped",
-                "A triangle with a corner outside the picture is left out.", fate_at_sides),
-        below_area(input, 0.5, "triangles of less than 1/2 px^2 are dropped",
-                   "Triangles whose two-fold area is below 1 px^2 are not drawn."),
-        below_area(input, 1, "triangles of less than 1 px^2 are dropped",
-                   "Triangles whose area is below 1 px^2 are not drawn.")};
+        dropped(
+            input,
+            {"triangles across the guard band are dropped",
+             "A triangle with a corner beyond +-32768 px is left out.",
+             "Look at clipping: what leaves the range of the fixed-point grid must be cut, not rejected."},
+            fate_at_guard_band),
+        dropped(input,
+                {"triangles across a side of the picture are dropped",
+                 "A triangle with a corner outside the picture is left out.",
+                 "Look at frustum culling: reject only if all corners lie beyond one side; clip or clamp the "
+                 "rest."},
+                fate_at_sides),
+        below_area(input, 0.5,
+                   {"triangles of less than 1/2 px^2 are dropped",
+                    "Triangles whose two-fold area is below 1 px^2 are not drawn.", small_test}),
+        below_area(input, 1,
+                   {"triangles of less than 1 px^2 are dropped",
+                    "Triangles whose area is below 1 px^2 are not drawn.", small_test})};
     for (const auto& [least, text] : {std::pair{1e-3, "1e-3"},
                                       {1e-4, "1e-4"},
                                       {1e-5, "1e-5"},

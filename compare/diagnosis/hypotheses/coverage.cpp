@@ -21,8 +21,10 @@ bool holds_square(const Neighbour& n, double half_side) {
 }
 
 Hypothesis under(const DiagnosisInput& input) {
-    Hypothesis h = as_declared(input, "triangles show only where they cover a pixel whole",
-                               "Coverage asks for all of the pixel's square instead of its centre.");
+    Hypothesis h = as_declared(
+        input, {"triangles show only where they cover a pixel whole",
+                "Coverage asks for all of the pixel's square instead of its centre.",
+                "Look at the rasterizer's state: conservative coverage of the inner kind is on."});
     h.amend = [](Neighbourhood& around, PrimitiveId) {
         std::erase_if(around.neighbours, [&](Neighbour& n) {
             n.may_be_missing |= !holds_square(n, half_pixel + around.eps_px);
@@ -86,8 +88,10 @@ Hypothesis over(const DiagnosisInput& input) {
     const auto world =
         std::make_shared<OtherWorld>(declared_scene(input), input.view, input.candidate.precision);
     Hypothesis h = decided_by(
-        input, "triangles show wherever they touch a pixel",
-        "Coverage asks for any part of the pixel's square instead of its centre.",
+        input,
+        {"triangles show wherever they touch a pixel",
+         "Coverage asks for any part of the pixel's square instead of its centre.",
+         "Look at the rasterizer's state: conservative coverage is on."},
         [world, view = input.view](const Claim& claim) { return touches(*world, view, claim); },
         [world, view = input.view](const Claim& claim) {
             const CornersWorld p_world = corners_of(world->scene(), std::uint32_t(claim.answer.primitive));

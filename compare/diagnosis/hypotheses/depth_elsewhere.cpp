@@ -43,8 +43,11 @@ class OwnDepths {
 
 /// The mean over the pixel and its neighbours; background is left out.
 Hypothesis averaged(const DiagnosisInput& input) {
-    Hypothesis h = as_declared(input, "depth is averaged over 3 x 3 pixels",
-                               "Depth is the mean over the pixel and its neighbours, background left out.");
+    Hypothesis h = as_declared(
+        input,
+        {"depth is averaged over 3 x 3 pixels",
+         "Depth is the mean over the pixel and its neighbours, background left out.",
+         "Look at multisample resolve, filters and resizing: depth must be one sample's, unfiltered."});
     h.report = [own = OwnDepths(input)](const DepthBound&, const Claim& claim) {
         double low = 0, high = 0, count = 0;
         for (int y = claim.y - 1; y <= claim.y + 1; ++y)
@@ -65,8 +68,10 @@ Hypothesis averaged(const DiagnosisInput& input) {
 
 /// All 2 x 2 pixels have the depth of the first, whichever triangle they show.
 Hypothesis first_of_quad(const DiagnosisInput& input) {
-    Hypothesis h = as_declared(input, "depth is that of the first of 2 x 2 pixels",
-                               "A block of 2 x 2 pixels has its own ids, and the first pixel's depth.");
+    Hypothesis h = as_declared(
+        input, {"depth is that of the first of 2 x 2 pixels",
+                "A block of 2 x 2 pixels has its own ids, and the first pixel's depth.",
+                "Look at where depth is interpolated: for each pixel, not once for a block of lanes."});
     h.report = [own = OwnDepths(input)](const DepthBound&, const Claim& claim) {
         const std::optional<DepthBound> first = own.at(claim.x & ~1, claim.y & ~1);
         return first ? ReportedDepth{first->low, first->high} : ReportedDepth{no_limit, no_limit};
@@ -82,8 +87,10 @@ std::string half_steps_text(const glm::dvec2& offset_px) {
 /// The id is the centre's, the depth that of the same triangle's plane beside it.
 Hypothesis beside_centre(const DiagnosisInput& input, const glm::dvec2& offset_px) {
     Hypothesis h = as_declared(
-        input, "depth is taken " + half_steps_text(offset_px) + " beside the centre",
-        "The id belongs to the pixel's centre, the depth to another place of the triangle's plane.");
+        input,
+        {"depth is taken " + half_steps_text(offset_px) + " beside the centre",
+         "The id belongs to the pixel's centre, the depth to another place of the triangle's plane.",
+         "Look at where depth is interpolated: at the same place of the pixel as coverage is decided."});
     h.report = [offset_px, &scene = input.scene, view = input.view,
                 bounds = ViewBounds(input.view, shown_precision(input.candidate.precision))](
                    const DepthBound&, const Claim& claim) {
@@ -151,14 +158,13 @@ std::optional<double> fitted_number(const DiagnosisInput& input, const OneNumber
     return most_held(ranges);
 }
 
-/// `description` ends where the number stands.
-std::vector<Hypothesis> fitted(const DiagnosisInput& input, const std::string& name,
-                               const std::string& description, const OneNumber& form,
+/// The cause's description ends where the number stands.
+std::vector<Hypothesis> fitted(const DiagnosisInput& input, Cause cause, const OneNumber& form,
                                const std::function<double(double)>& shown = nullptr) {
     const std::optional<double> number = fitted_number(input, form);
     if (!number || !std::isfinite(*number)) return {};
-    Hypothesis h =
-        as_declared(input, name, description + number_text(shown ? shown(*number) : *number, 6) + ".");
+    cause.description += number_text(shown ? shown(*number) : *number, 6) + ".";
+    Hypothesis h = as_declared(input, cause);
     h.learned_bits = bits_of_a_number;
     h.fits_a_limit = true;
     h.report = [form, number = *number](const DepthBound& bound, const Claim&) {
@@ -171,12 +177,16 @@ std::vector<Hypothesis> fitted(const DiagnosisInput& input, const std::string& n
 
 std::vector<Hypothesis> scaled_or_biased(const DiagnosisInput& input) {
     std::vector<Hypothesis> all =
-        fitted(input, "depth is scaled by a constant", "Depth is told times ",
+        fitted(input,
+               {"depth is scaled by a constant", "Depth is told times ",
+                "Look at the camera node's scale, which the view matrix must not keep, and at units."},
                {.told = [](double k, double depth) { return k * depth; },
                 .number = [](double told, double depth) { return told / depth; },
                 .rounding = [](double k, double depth) { return told_rounding * std::abs(k * depth); }});
     for (Hypothesis& h :
-         fitted(input, "depth is biased by a constant", "To depth is added ",
+         fitted(input,
+                {"depth is biased by a constant", "To depth is added ",
+                 "Look at polygon offset and depth bias, and at offsets of the ray's start."},
                 {.told = [](double k, double depth) { return depth + k; },
                 .number = [](double told, double depth) { return told - depth; },
                 .rounding = [](double k,
@@ -202,13 +212,17 @@ std::vector<Hypothesis> read_with_other_planes(const DiagnosisInput& input) {
                                  return told_rounding * (std::abs(at) + near * at * at * std::max(1.0, k));
                              }};
     };
+    const char* planes =
+        "Look at near and far where z is turned back: they must be those of the projection matrix.";
     std::vector<Hypothesis> all =
-        fitted(input, "depth is read with another far plane",
-               "z of the depth buffer is turned back with a far plane of ", form_about(near),
-               [=](double k) { return 1 / (near - k * (near - far)); });
-    for (Hypothesis& h : fitted(input, "depth is read with another near plane",
-                                "z of the depth buffer is turned back with a near plane of ", form_about(far),
-                                [=](double k) { return 1 / (far + k * (near - far)); }))
+        fitted(input,
+               {"depth is read with another far plane",
+                "z of the depth buffer is turned back with a far plane of ", planes},
+               form_about(near), [=](double k) { return 1 / (near - k * (near - far)); });
+    for (Hypothesis& h : fitted(input,
+                                {"depth is read with another near plane",
+                                 "z of the depth buffer is turned back with a near plane of ", planes},
+                                form_about(far), [=](double k) { return 1 / (far + k * (near - far)); }))
         all.push_back(std::move(h));
     return all;
 }
@@ -223,9 +237,8 @@ std::vector<Hypothesis> clipped_elsewhere(const DiagnosisInput& input) {
     }
     const Camera& c = input.view.camera;
     if (!(nearest < farthest)) return {};
-    const auto clipped_at_depths = [&](const std::string& name, const std::string& description,
-                                       double near_depth, double far_depth) {
-        Hypothesis h = as_declared(input, name, description);
+    const auto clipped_at_depths = [&](const Cause& cause, double near_depth, double far_depth) {
+        Hypothesis h = as_declared(input, cause);
         h.learned_bits = bits_of_a_number;
         h.fits_a_limit = true;
         h.view.camera.near_depth = near_depth;
@@ -233,12 +246,14 @@ std::vector<Hypothesis> clipped_elsewhere(const DiagnosisInput& input) {
         return h;
     };
     return {clipped_at_depths(
-                farthest < c.far_depth ? "the far plane lies nearer" : "the far plane lies farther",
-                "Nothing is drawn beyond the farthest depth of the frame, " + number_text(farthest, 6) + ".",
+                {farthest < c.far_depth ? "the far plane lies nearer" : "the far plane lies farther",
+                 "Nothing is drawn beyond the farthest depth of the frame, " + number_text(farthest, 6) + ".",
+                 "Look at far: the projection matrix's, the ray's end, scene units."},
                 c.near_depth, farthest),
             clipped_at_depths(
-                nearest > c.near_depth ? "the near plane lies farther" : "the near plane lies nearer",
-                "Nothing is drawn before the nearest depth of the frame, " + number_text(nearest, 6) + ".",
+                {nearest > c.near_depth ? "the near plane lies farther" : "the near plane lies nearer",
+                 "Nothing is drawn before the nearest depth of the frame, " + number_text(nearest, 6) + ".",
+                 "Look at near: the projection matrix's, the ray's start, scene units."},
                 nearest, c.far_depth)};
 }
 

@@ -37,9 +37,8 @@ struct Linear {
 };
 
 template <class Report>
-Hypothesis reported_as(const DiagnosisInput& input, const std::string& name, const std::string& description,
-                       Report report) {
-    Hypothesis h = as_declared(input, "depth is " + name, description);
+Hypothesis reported_as(const DiagnosisInput& input, const Cause& cause, Report report) {
+    Hypothesis h = as_declared(input, cause);
     h.report = report;
     h.restate = [](Claim claim) -> std::optional<Claim> {
         if (claim.answer.primitive == PrimitiveId::none) claim.answer.camera_depth = background_depth;
@@ -51,21 +50,27 @@ Hypothesis reported_as(const DiagnosisInput& input, const std::string& name, con
 /// NDC z that is `at_near` on the near plane and `at_far` on the far one.
 Hypothesis ndc(const DiagnosisInput& input, double at_near, double at_far, const std::string& convention) {
     const Camera& c = input.view.camera;
-    const std::string name = "NDC z (" + convention + ")";
-    const std::string description = "Depth is what the projection matrix makes of it, after division by w.";
+    const Cause cause{"depth is NDC z (" + convention + ")",
+                      "Depth is what the projection matrix makes of it, after division by w.",
+                      "Look at the read-back of the depth buffer: z is not turned back to depth."};
     if (c.projection == Projection::parallel) {
         const double slope = (at_far - at_near) / (c.far_depth - c.near_depth);
-        return reported_as(input, name, description, Linear{at_near - slope * c.near_depth, slope});
+        return reported_as(input, cause, Linear{at_near - slope * c.near_depth, slope});
     }
     const double b = (at_near - at_far) * c.near_depth / (1 - c.near_depth / c.far_depth);
-    return reported_as(input, name, description, Reciprocal{at_far - b / c.far_depth, b});
+    return reported_as(input, cause, Reciprocal{at_far - b / c.far_depth, b});
 }
+
+constexpr const char* other_projections_formula =
+    "Look at how z is turned back: by the formula of the other kind of projection.";
 
 /// z in [0, 1] that one projection wrote and the other reads. It is rounded as a number of size 1.
 Hypothesis parallel_as_perspective(const DiagnosisInput& input) {
     const double near = input.view.camera.near_depth, far = input.view.camera.far_depth;
-    return reported_as(input, "of a parallel view, read as a perspective's",
-                       "z of the depth buffer is linear in depth, and turned back as if it were not.",
+    return reported_as(input,
+                       {"depth is of a parallel view, read as a perspective's",
+                        "z of the depth buffer is linear in depth, and turned back as if it were not.",
+                        other_projections_formula},
                        [=](const DepthBound& bound, const Claim&) {
                            const auto read = [&](double depth, double rounding) {
                                const double z = (depth - near) / (far - near) + rounding;
@@ -83,8 +88,10 @@ Hypothesis parallel_as_perspective(const DiagnosisInput& input) {
 Hypothesis perspective_as_parallel(const DiagnosisInput& input) {
     const Camera& c = input.view.camera;
     const double per_inverse = (c.far_depth - c.near_depth) / (1 / c.near_depth - 1 / c.far_depth);
-    return reported_as(input, "of a perspective, read as a parallel view's",
-                       "z of the depth buffer is linear in 1/depth, and turned back as if in depth.",
+    return reported_as(input,
+                       {"depth is of a perspective, read as a parallel view's",
+                        "z of the depth buffer is linear in 1/depth, and turned back as if in depth.",
+                        other_projections_formula},
                        Reciprocal{c.near_depth + per_inverse / c.near_depth, -per_inverse});
 }
 
@@ -98,8 +105,12 @@ Hypothesis ray_length(const DiagnosisInput& input) {
     const auto report = [view = input.view](const DepthBound& bound, const Claim& claim) {
         return Linear{0, ray_length_per_depth(view, claim.x, claim.y)}(bound, claim);
     };
-    return reported_as(input, "the ray's length",
-                       "Depth is the distance from the eye along the ray, not along the view axis.", report);
+    return reported_as(
+        input,
+        {"depth is the ray's length",
+         "Depth is the distance from the eye along the ray, not along the view axis.",
+         "Look at where the hit's distance is stored: multiply it by the ray's component ahead."},
+        report);
 }
 
 /// The ray's length is counted from where it meets the near plane.
@@ -108,8 +119,12 @@ Hypothesis ray_length_from_near(const DiagnosisInput& input) {
         const double length = ray_length_per_depth(view, claim.x, claim.y);
         return Linear{-length * view.camera.near_depth, length}(bound, claim);
     };
-    return reported_as(input, "the ray's length from the near plane",
-                       "Depth is the distance along the ray from where it passes the near plane.", report);
+    return reported_as(
+        input,
+        {"depth is the ray's length from the near plane",
+         "Depth is the distance along the ray from where it passes the near plane.",
+         "Look at where rays start: on the near plane; add near and divide by the ray's length per depth."},
+        report);
 }
 
 /// The ray's length has lost the near depth.
@@ -117,9 +132,12 @@ Hypothesis ray_length_less_near(const DiagnosisInput& input) {
     const auto report = [view = input.view](const DepthBound& bound, const Claim& claim) {
         return Linear{-view.camera.near_depth, ray_length_per_depth(view, claim.x, claim.y)}(bound, claim);
     };
-    return reported_as(input, "the ray's length less near",
-                       "Depth is the distance from the eye along the ray, less the near plane's depth.",
-                       report);
+    return reported_as(
+        input,
+        {"depth is the ray's length less near",
+         "Depth is the distance from the eye along the ray, less the near plane's depth.",
+         "Look at where near is subtracted, and at the hit's distance that is taken for depth."},
+        report);
 }
 
 std::string factor_text(double factor) {
@@ -129,8 +147,9 @@ std::string factor_text(double factor) {
 /// Depths lie elsewhere than the ids that they belong to; at the outline, where there is none to be had, they
 /// stay.
 Hypothesis apart_from_ids(const DiagnosisInput& input, int dx, int dy, const std::string& where) {
-    Hypothesis h = as_declared(input, "depths lie one pixel " + where + " of their ids",
-                               "The depth of a pixel belongs to its neighbour's id.");
+    Hypothesis h = as_declared(input, {"depths lie one pixel " + where + " of their ids",
+                                       "The depth of a pixel belongs to its neighbour's id.",
+                                       "Look at the offsets at which the depth plane is read or written."});
     h.reads_surroundings = true;
     h.restate = [dx, dy, &frame = input.candidate.frame](Claim claim) -> std::optional<Claim> {
         const Claim moved{claim.x - dx, claim.y - dy, claim.answer};
@@ -144,8 +163,10 @@ Hypothesis apart_from_ids(const DiagnosisInput& input, int dx, int dy, const std
 
 /// Depth test and reported depth both go by depth that is interpolated linearly over the raster image.
 Hypothesis affine(const DiagnosisInput& input) {
-    Hypothesis h = as_declared(input, "depth is affine instead of perspective-correct",
-                               "Depth itself is interpolated linearly over the image, not 1/depth.");
+    Hypothesis h = as_declared(input, {"depth is affine instead of perspective-correct",
+                                       "Depth itself is interpolated linearly over the image, not 1/depth.",
+                                       "Look at depth's interpolation: interpolate 1/depth over the image, "
+                                       "or divide by w for each pixel."});
     h.report = [&scene = input.scene, view = input.view,
                 bounds = ViewBounds(input.view, input.candidate.precision)](const DepthBound&,
                                                                             const Claim& claim) {
@@ -168,19 +189,23 @@ Hypothesis affine(const DiagnosisInput& input) {
 
 std::vector<Hypothesis> hypotheses_of_depth(const DiagnosisInput& input) {
     const Camera& c = input.view.camera;
-    std::vector<Hypothesis> all{
-        ray_length(input),
-        ndc(input, -1, 1, "-1 to 1"),
-        ndc(input, 0, 1, "0 to 1"),
-        ndc(input, 1, 0, "1 to 0, reversed"),
-        reported_as(input, "counted from the near plane", "Depth is depth - near.", Linear{-c.near_depth, 1}),
-        ray_length_from_near(input),
-        ray_length_less_near(input)};
+    std::vector<Hypothesis> all{ray_length(input),
+                                ndc(input, -1, 1, "-1 to 1"),
+                                ndc(input, 0, 1, "0 to 1"),
+                                ndc(input, 1, 0, "1 to 0, reversed"),
+                                reported_as(input,
+                                            {"depth is counted from the near plane", "Depth is depth - near.",
+                                             "Look at where depth is stored: near was subtracted."},
+                                            Linear{-c.near_depth, 1}),
+                                ray_length_from_near(input),
+                                ray_length_less_near(input)};
     for (const double unit : {1000.0, 100.0, 10.0})
         for (const double factor : {unit, 1 / unit})
-            all.push_back(reported_as(input, "in other units",
-                                      "Depth is " + factor_text(factor) + " times the depth.",
-                                      Linear{0, factor}));
+            all.push_back(reported_as(
+                input,
+                {"depth is in other units", "Depth is " + factor_text(factor) + " times the depth.",
+                 "Look at the units of the scene's import and of the depth's export."},
+                Linear{0, factor}));
     for (Hypothesis& h :
          std::vector{apart_from_ids(input, 1, 0, "right"), apart_from_ids(input, -1, 0, "left"),
                      apart_from_ids(input, 0, 1, "below"), apart_from_ids(input, 0, -1, "above")})
@@ -189,13 +214,17 @@ std::vector<Hypothesis> hypotheses_of_depth(const DiagnosisInput& input) {
         if (c.near_depth > 0) all.push_back(parallel_as_perspective(input));
         return all;
     }
-    all.push_back(reported_as(input, "1/depth", "Depth is what is linear over the image, its reciprocal.",
+    all.push_back(reported_as(input,
+                              {"depth is 1/depth", "Depth is what is linear over the image, its reciprocal.",
+                               "Look at where depth is stored: what is interpolated was not inverted."},
                               Reciprocal{0, 1}));
     if (std::isfinite(c.far_depth)) {
         const double per_depth = 1 / (c.far_depth - c.near_depth);
-        all.push_back(reported_as(input, "scaled to 0 at near and 1 at far",
-                                  "Depth is (depth - near) / (far - near).",
-                                  Linear{-c.near_depth * per_depth, per_depth}));
+        all.push_back(reported_as(
+            input,
+            {"depth is scaled to 0 at near and 1 at far", "Depth is (depth - near) / (far - near).",
+             "Look at the depth's export: a normalization between near and far was left in."},
+            Linear{-c.near_depth * per_depth, per_depth}));
     }
     if (std::isfinite(c.far_depth)) all.push_back(perspective_as_parallel(input));
     all.push_back(affine(input));

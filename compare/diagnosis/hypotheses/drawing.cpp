@@ -11,9 +11,8 @@ namespace zproof {
 
 namespace {
 
-Hypothesis with_rule(const DiagnosisInput& input, const std::string& name, const std::string& description,
-                     RuleOverride amend) {
-    Hypothesis h = as_declared(input, name, description);
+Hypothesis with_rule(const DiagnosisInput& input, const Cause& cause, RuleOverride amend) {
+    Hypothesis h = as_declared(input, cause);
     h.amend = std::move(amend);
     return h;
 }
@@ -34,19 +33,24 @@ RuleOverride ordered_by(Range range) {
 using Range = std::pair<double, double>;
 
 std::vector<Hypothesis> of_the_depth_test(const DiagnosisInput& input) {
-    Hypothesis reversed = with_rule(input, "the depth test is reversed", "The farthest triangle is seen.",
+    const char* is_on = "Look at whether depth test and depth writes are on, and the buffer attached.";
+    Hypothesis reversed = with_rule(input,
+                                    {"the depth test is reversed", "The farthest triangle is seen.",
+                                     "Look at the depth test's comparison and at the clear value."},
                                     ordered_by([](const Neighbour& n) {
                                         return Range{-n.greatest_inverse_depth, -n.least_inverse_depth};
                                     }));
     reversed.only_permits = true;  // ranges of whole triangles overlap
     return {reversed,
-            with_rule(input, "the depth test is missing: the last drawn wins",
-                      "The triangle with the greatest index is seen, at whatever depth.",
+            with_rule(input,
+                      {"the depth test is missing: the last drawn wins",
+                       "The triangle with the greatest index is seen, at whatever depth.", is_on},
                       ordered_by([](const Neighbour& n) {
                           return Range{n.triangle, n.triangle};
                       })),
-            with_rule(input, "the depth test is missing: the first drawn wins",
-                      "The triangle with the least index is seen, at whatever depth.",
+            with_rule(input,
+                      {"the depth test is missing: the first drawn wins",
+                       "The triangle with the least index is seen, at whatever depth.", is_on},
                       ordered_by([](const Neighbour& n) {
                           return Range{-double(n.triangle), -double(n.triangle)};
                       }))};
@@ -72,8 +76,10 @@ Facing facing_of(const View& view, const CornersWorld& p_world) {
 }
 
 Hypothesis dropped(const DiagnosisInput& input, const std::string& which, Facing facing) {
-    return with_rule(input, which + " faces are dropped",
-                     "Triangles seen from the " + which + " are not drawn (counter-clockwise is front).",
+    return with_rule(input,
+                     {which + " faces are dropped",
+                      "Triangles seen from the " + which + " are not drawn (counter-clockwise is front).",
+                      "Look at face culling and at the winding that counts as front: both sides are seen."},
                      [=](Neighbourhood& around, PrimitiveId) {
                          std::erase_if(around.neighbours, [&](const Neighbour& n) {
                              return facing_of(around.view, n.p_world) == facing;
@@ -91,8 +97,10 @@ bool may_lie_on_edge(const Neighbourhood& around, const Neighbour& n) {
 
 /// Holes only: a pixel that two neighbours both claim shows one of them, admissibly.
 Hypothesis without_fill_rule(const DiagnosisInput& input) {
-    Hypothesis h = with_rule(input, "the top-left rule is missing",
-                             "A centre exactly on an edge belongs to no triangle: holes along shared edges.",
+    Hypothesis h = with_rule(input,
+                             {"the top-left rule is missing",
+                              "A centre exactly on an edge belongs to no triangle: holes along shared edges.",
+                              "Look at the edge test: one of two triangles must own a centre on their edge."},
                              [](Neighbourhood& around, PrimitiveId answer) {
                                  std::erase_if(around.neighbours, [&](const Neighbour& n) {
                                      return PrimitiveId(n.triangle) != answer && may_lie_on_edge(around, n);
@@ -102,9 +110,8 @@ Hypothesis without_fill_rule(const DiagnosisInput& input) {
     return h;
 }
 
-Hypothesis clipped_at(const DiagnosisInput& input, const std::string& name, const std::string& description,
-                      double near_depth, double far_depth) {
-    Hypothesis h = as_declared(input, name, description);
+Hypothesis clipped_at(const DiagnosisInput& input, const Cause& cause, double near_depth, double far_depth) {
+    Hypothesis h = as_declared(input, cause);
     h.view.camera.near_depth = near_depth;
     h.view.camera.far_depth = far_depth;
     return h;
@@ -132,22 +139,28 @@ std::vector<Hypothesis> of_clipping(const DiagnosisInput& input) {
     const Camera& c = input.view.camera;
     const bool perspective = c.projection == Projection::perspective;
     const DepthRange everything = all_depths(input.scene, c);
-    std::vector<Hypothesis> all{
-        clipped_at(input, "the near clip is missing", "What lies between eye and near plane is drawn, too.",
-                   perspective ? c.near_depth * next_to_nothing : everything.nearest, c.far_depth)};
+    const char* equation =
+        "Look at the near plane's equation in clip space: it depends on the range of NDC z.";
+    std::vector<Hypothesis> all{clipped_at(
+        input, {"the near clip is missing", "What lies between eye and near plane is drawn, too.", equation},
+        perspective ? c.near_depth * next_to_nothing : everything.nearest, c.far_depth)};
     if (perspective) {
         const double ratio = c.near_depth / c.far_depth;
-        all.push_back(clipped_at(input, "the near clip is that of z >= 0 (NDC z is -1 to 1)",
-                                 "Clipped where NDC z is 0 although it is -1 on the near plane.",
+        all.push_back(clipped_at(input,
+                                 {"the near clip is that of z >= 0 (NDC z is -1 to 1)",
+                                  "Clipped where NDC z is 0 although it is -1 on the near plane.", equation},
                                  2 * c.near_depth / (1 + ratio), c.far_depth));
-        all.push_back(clipped_at(input, "the near clip is that of z >= -w (NDC z is 0 to 1)",
-                                 "Clipped where NDC z is -1 although it is 0 on the near plane.",
+        all.push_back(clipped_at(input,
+                                 {"the near clip is that of z >= -w (NDC z is 0 to 1)",
+                                  "Clipped where NDC z is -1 although it is 0 on the near plane.", equation},
                                  c.near_depth / (2 - ratio), c.far_depth));
     }
     if (std::isfinite(c.far_depth))
         all.push_back(clipped_at(
-            input, "the far clip is missing", "What lies beyond the far plane is drawn, too.", c.near_depth,
-            perspective ? std::numeric_limits<double>::infinity() : everything.farthest));
+            input,
+            {"the far clip is missing", "What lies beyond the far plane is drawn, too.",
+             "Look at the far plane: depth clamping, or a ray whose end is not far."},
+            c.near_depth, perspective ? std::numeric_limits<double>::infinity() : everything.farthest));
     return all;
 }
 
@@ -163,8 +176,10 @@ std::unordered_set<std::uint32_t> never_drawn(const DiagnosisInput& input) {
 Hypothesis lost_triangles(const DiagnosisInput& input) {
     const std::unordered_set<std::uint32_t> missing = never_drawn(input);
     Hypothesis h =
-        with_rule(input, "some triangles are not drawn",
-                  "Triangles that the reference sees, and this renderer nowhere, are taken for absent.",
+        with_rule(input,
+                  {"some triangles are not drawn",
+                   "Triangles that the reference sees, and this renderer nowhere, are taken for absent.",
+                   "Look at lists with a fixed size, at binning, and at loops that end one too early."},
                   [missing](Neighbourhood& around, PrimitiveId) {
                       std::erase_if(around.neighbours,
                                     [&](const Neighbour& n) { return missing.contains(n.triangle); });

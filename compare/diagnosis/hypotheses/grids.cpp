@@ -27,7 +27,10 @@ std::vector<Hypothesis> stretched(const DiagnosisInput& input) {
     const glm::dvec2 wider = size / (size - 1.0), narrower = (size - 1.0) / size;
     const auto grid = [&](const std::string& name, const std::string& description, const glm::dvec2& factor,
                           const glm::dvec2& anchor) {
-        Hypothesis h = as_declared(input, "the pixel grid is " + name, description);
+        Hypothesis h = as_declared(
+            input,
+            {"the pixel grid is " + name, description,
+             "Look at how pixels become rays or NDC: divide by W, not W - 1, and add 1/2 to the index."});
         h.view = scaled_about(input.view, factor, anchor);
         return h;
     };
@@ -50,9 +53,10 @@ std::vector<Hypothesis> stretched(const DiagnosisInput& input) {
 Hypothesis coarse(const DiagnosisInput& input, int n, bool is_first) {
     const std::string px = std::to_string(n) + " x " + std::to_string(n) + " pixels show what belongs to ";
     Hypothesis h =
-        is_first ? as_declared(input, px + "the first", "A block of pixels shows its first pixel's answer.")
-                 : as_declared(input, px + "their common corner",
-                               "A block of pixels shows one answer, that of its centre.");
+        as_declared(input, {px + (is_first ? "the first" : "their common corner"),
+                            is_first ? "A block of pixels shows its first pixel's answer."
+                                     : "A block of pixels shows one answer, that of its centre.",
+                            "Look at the shading rate, or at a picture that is drawn small and enlarged."});
     const int step = is_first ? 0 : n / 2 - 1;
     h.restate = [=](Claim claim) -> std::optional<Claim> {
         claim.x = claim.x / n * n + step;
@@ -69,13 +73,13 @@ std::vector<Hypothesis> sampled_beside(const DiagnosisInput& input) {
     std::vector<Hypothesis> all;
     for (const int count : {2, 4, 8, 16})
         for (const Sample& sample : standard_samples(count)) {
-            Hypothesis h =
-                as_declared(input,
-                            "pixels are sampled at sample " + std::to_string(sample.index) + " of " +
-                                std::to_string(count),
-                            "Each pixel holds what belongs to a sample of the standard pattern, (" +
-                                px_text(sample.offset_px.x) + ", " + px_text(sample.offset_px.y) +
-                                ") px from the centre.");
+            Hypothesis h = as_declared(
+                input, {"pixels are sampled at sample " + std::to_string(sample.index) + " of " +
+                            std::to_string(count),
+                        "Each pixel holds what belongs to a sample of the standard pattern, (" +
+                            px_text(sample.offset_px.x) + ", " + px_text(sample.offset_px.y) +
+                            ") px from the centre.",
+                        "Look at the multisample state: one sample was read instead of the pixel's centre."});
             h.view.sample.offset_px = sample.offset_px;
             all.push_back(std::move(h));
         }
@@ -143,9 +147,11 @@ std::vector<Hypothesis> fitted_shift(const DiagnosisInput& input) {
         reach = step;
     }
     if (held_at(all, offset) <= held_at(all, glm::dvec2(0)) || length(offset) > 1) return {};
-    Hypothesis h = as_declared(input, "the image is shifted by a fraction of a pixel",
-                               "Each pixel holds what belongs (" + number_text(offset.x, 4) + ", " +
-                                   number_text(offset.y, 4) + ") px from its centre: fitted to the edges.");
+    Hypothesis h = as_declared(
+        input, {"the image is shifted by a fraction of a pixel",
+                "Each pixel holds what belongs (" + number_text(offset.x, 4) + ", " +
+                    number_text(offset.y, 4) + ") px from its centre: fitted to the edges.",
+                "Look at the viewport transform's offset and at a jitter meant for antialiasing."});
     h.learned_bits = 2 * bits_of_a_number;
     h.fits_a_limit = true;
     h.view = shifted_view(input.view, -offset);

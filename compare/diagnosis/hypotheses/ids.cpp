@@ -11,9 +11,8 @@ namespace {
 
 constexpr std::uint32_t nobody = std::uint32_t(PrimitiveId::none);
 
-Hypothesis with_ids(const DiagnosisInput& input, const std::string& name, const std::string& description,
-                    const Renamed& meant) {
-    Hypothesis h = as_declared(input, name, description);
+Hypothesis with_ids(const DiagnosisInput& input, const Cause& cause, const Renamed& meant) {
+    Hypothesis h = as_declared(input, cause);
     h.restate = [meant, count = input.scene.triangles.size()](Claim claim) -> std::optional<Claim> {
         if (claim.answer.primitive == PrimitiveId::none) return claim;
         const std::uint32_t id = meant(std::uint32_t(claim.answer.primitive));
@@ -37,24 +36,36 @@ std::vector<Hypothesis> of_parts(const DiagnosisInput& input) {
     const auto first_in = [&scene](std::uint32_t id) {
         return scene.parts[part_of(scene, id)].first_triangle;
     };
-    return {with_ids_reported_as(input, "ids restart in every part",
-                                 "An id counts triangles from the first of its part (a glTF primitive).",
-                                 [=](std::uint32_t id) { return id - first_in(id); }),
-            with_ids_reported_as(input, "ids are those of the next part",
-                                 "An id names the triangle at the same place in the next part.",
+    const char* base = "Look at the base id of each draw call: it is that of another part.";
+    return {with_ids_reported_as(
+                input,
+                {"ids restart in every part",
+                 "An id counts triangles from the first of its part (a glTF primitive).",
+                 "Look at gl_PrimitiveID and its like: add the triangles of the draw calls before."},
+                [=](std::uint32_t id) { return id - first_in(id); }),
+            with_ids_reported_as(input,
+                                 {"ids are those of the next part",
+                                  "An id names the triangle at the same place in the next part.", base},
                                  [&scene](std::uint32_t id) { return in_part(scene, id, 1); }),
-            with_ids_reported_as(input, "ids are those of the part before",
-                                 "An id names the triangle at the same place in the part before.",
+            with_ids_reported_as(input,
+                                 {"ids are those of the part before",
+                                  "An id names the triangle at the same place in the part before.", base},
                                  [&scene](std::uint32_t id) { return in_part(scene, id, -1); }),
-            with_ids_reported_as(input, "the id is the part's", "An id is the index of the triangle's part.",
-                                 [&scene](std::uint32_t id) { return std::uint32_t(part_of(scene, id)); })};
+            with_ids_reported_as(
+                input,
+                {"the id is the part's", "An id is the index of the triangle's part.",
+                 "Look at what the id buffer is given: the draw call's index, not the triangle's."},
+                [&scene](std::uint32_t id) { return std::uint32_t(part_of(scene, id)); })};
 }
 
 /// Ids that kept this many low bits.
 Hypothesis of_low_bits(const DiagnosisInput& input, int bits) {
-    return with_ids_reported_as(input, "ids keep their low " + std::to_string(bits) + " bits",
-                                "An id is the triangle's modulo 2^" + std::to_string(bits) + ".",
-                                [=](std::uint32_t id) { return id & ((1u << bits) - 1); });
+    return with_ids_reported_as(
+        input,
+        {"ids keep their low " + std::to_string(bits) + " bits",
+         "An id is the triangle's modulo 2^" + std::to_string(bits) + ".",
+         "Look at the id buffer's format, and at the format of the file: it has too few bits."},
+        [=](std::uint32_t id) { return id & ((1u << bits) - 1); });
 }
 
 /// Ids that went through a float of this many significant bits, rounded to nearest, ties to even.
@@ -64,8 +75,11 @@ Hypothesis of_float(const DiagnosisInput& input, int bits) {
         return std::uint32_t(std::nearbyint(id / step) * step);
     };
     return with_ids_reported_as(
-        input, "ids went through a float of " + std::to_string(bits) + " bits",
-        "An id is the triangle's, rounded to " + std::to_string(bits) + " significant bits.", rounded);
+        input,
+        {"ids went through a float of " + std::to_string(bits) + " bits",
+         "An id is the triangle's, rounded to " + std::to_string(bits) + " significant bits.",
+         "Look for a float between the id and the file: write ids as unsigned integers."},
+        rounded);
 }
 
 std::vector<Hypothesis> of_lost_bits(const DiagnosisInput& input) {
@@ -81,15 +95,18 @@ std::vector<Hypothesis> of_lost_bits(const DiagnosisInput& input) {
 Hypothesis of_vertices(const DiagnosisInput& input) {
     const auto& triangles = input.scene.triangles;
     return with_ids_reported_as(
-        input, "the id is a vertex's", "An id is the index of the triangle's first vertex.",
+        input,
+        {"the id is a vertex's", "An id is the index of the triangle's first vertex.",
+         "Look at flat attributes: the id comes from the provoking vertex, not from the primitive."},
         [&](std::uint32_t id) { return std::min(triangles[id].x, std::uint32_t(triangles.size()) - 1); });
 }
 
 /// Ids lie elsewhere than the depths that belong to them; at the outline, where there is none to be had,
 /// they stay.
 Hypothesis apart_from_depths(const DiagnosisInput& input, int dx, int dy, const std::string& where) {
-    Hypothesis h = as_declared(input, "ids lie one pixel " + where + " of their depths",
-                               "The id of a pixel belongs to its neighbour's depth.");
+    Hypothesis h = as_declared(input, {"ids lie one pixel " + where + " of their depths",
+                                       "The id of a pixel belongs to its neighbour's depth.",
+                                       "Look at the offsets at which the id plane is read or written."});
     h.reads_surroundings = true;
     h.restate = [dx, dy, &frame = input.candidate.frame](Claim claim) -> std::optional<Claim> {
         const Claim moved{claim.x - dx, claim.y - dy, claim.answer};
@@ -103,8 +120,11 @@ Hypothesis apart_from_depths(const DiagnosisInput& input, int dx, int dy, const 
 
 /// One more than the index, and 0 where nothing is seen.
 Hypothesis from_one(const DiagnosisInput& input) {
-    Hypothesis h = as_declared(input, "ids count from 1, and 0 is background",
-                               "An id is the triangle's index plus 1, or 0 where nothing is seen.");
+    Hypothesis h = as_declared(
+        input,
+        {"ids count from 1, and 0 is background",
+         "An id is the triangle's index plus 1, or 0 where nothing is seen.",
+         "Look at how the id buffer is read: 0 means nothing there; subtract 1 and write 0xFFFFFFFF for 0."});
     h.restate = [](Claim claim) -> std::optional<Claim> {
         const std::uint32_t id = std::uint32_t(claim.answer.primitive);
         if (id == nobody) return std::nullopt;
@@ -124,9 +144,13 @@ Hypothesis exchanged(const DiagnosisInput& input) {
         const auto other = back.find(id);  // the triangle of that index has another's id
         return other != back.end() && there.at(other->second) == id ? nobody : id;
     };
-    Hypothesis h = with_ids(
-        input, "ids are exchanged",
-        "An id stands for one other triangle, and that for no other id, wherever they occur.", meant);
+    Hypothesis h =
+        with_ids(input,
+                 {"ids are exchanged",
+                  "An id stands for one other triangle, and that for no other id, wherever they occur.",
+                  "Look at whatever sorts or reorders triangles (BVH build, vertex cache) and keep the "
+                  "original index."},
+                 meant);
     const auto changed =
         std::ranges::count_if(there, [&](const auto& pair) { return meant(pair.first) != pair.first; });
     h.learned_bits = 2 * double(changed) * bits_of_an_id(input.scene);
@@ -137,17 +161,23 @@ Hypothesis exchanged(const DiagnosisInput& input) {
 
 std::vector<Hypothesis> hypotheses_of_ids(const DiagnosisInput& input) {
     const auto count = std::uint32_t(input.scene.triangles.size());
+    const char* counter =
+        "Look at where the id is made: a counter that is increased too early or too late, "
+        "or a 0 that means nothing.";
     std::vector<Hypothesis> all{
-        with_ids(input, "ids are too large by one", "An id is the triangle's index plus 1.",
+        with_ids(input, {"ids are too large by one", "An id is the triangle's index plus 1.", counter},
                  [](std::uint32_t id) { return id - 1; }),
         from_one(input),
-        with_ids_reported_as(input, "ids are too small by one",
-                             "An id is the triangle's index minus 1, 0 for 0.",
-                             [](std::uint32_t id) { return id == 0 ? 0 : id - 1; }),
-        with_ids(input, "even and odd ids change places",
-                 "Of two triangles in a row, each bears the other's id.",
+        with_ids_reported_as(
+            input, {"ids are too small by one", "An id is the triangle's index minus 1, 0 for 0.", counter},
+            [](std::uint32_t id) { return id == 0 ? 0 : id - 1; }),
+        with_ids(input,
+                 {"even and odd ids change places", "Of two triangles in a row, each bears the other's id.",
+                  "Look at how a quad is cut into triangles, and in which order they are listed."},
                  [](std::uint32_t id) { return id ^ 1; }),
-        with_ids(input, "ids count from the last triangle", "An id is N - 1 - i of the triangle i.",
+        with_ids(input,
+                 {"ids count from the last triangle", "An id is N - 1 - i of the triangle i.",
+                  "Look at the order in which triangles are submitted or numbered."},
                  [=](std::uint32_t id) { return count - 1 - id; }),
         apart_from_depths(input, 1, 0, "right"),
         apart_from_depths(input, -1, 0, "left"),

@@ -116,10 +116,9 @@ std::shared_ptr<const Scene> declared_scene(const DiagnosisInput& input) {
     return {std::shared_ptr<const Scene>(), &input.scene};
 }
 
-Hypothesis decided_by(const DiagnosisInput& input, std::string name, std::string description,
-                      std::function<bool(const Claim&)> admits,
+Hypothesis decided_by(const DiagnosisInput& input, Cause cause, std::function<bool(const Claim&)> admits,
                       std::function<ReportedDepth(const Claim&)> depth_of) {
-    Hypothesis h = as_declared(input, std::move(name), std::move(description));
+    Hypothesis h = as_declared(input, std::move(cause));
     h.restate = [admits = std::move(admits)](const Claim& claim) -> std::optional<Claim> {
         if (!admits(claim)) return std::nullopt;
         return Claim{claim.x, claim.y, {PrimitiveId::none, background_depth}};
@@ -129,11 +128,11 @@ Hypothesis decided_by(const DiagnosisInput& input, std::string name, std::string
     return h;
 }
 
-Hypothesis shown_instead(const DiagnosisInput& input, std::string name, std::string description,
-                         std::shared_ptr<const Scene> scene, const View& view) {
+Hypothesis shown_instead(const DiagnosisInput& input, Cause cause, std::shared_ptr<const Scene> scene,
+                         const View& view) {
     const auto world = std::make_shared<OtherWorld>(std::move(scene), view, input.candidate.precision);
     return decided_by(
-        input, std::move(name), std::move(description),
+        input, std::move(cause),
         [world, is_possible = world->might_be_shown_in(input.candidate.frame)](const Claim& claim) {
             return is_possible && world->admits(claim);
         },

@@ -49,12 +49,11 @@ std::shared_ptr<const Scene> declared_scene(const DiagnosisInput& input);
 
 /// The hypothesis that what `admits` says of a claim is right. A claim that is admitted goes on as
 /// background before nothing, to which the judge has no objection; `depth_of` says which depths it may have.
-Hypothesis decided_by(const DiagnosisInput& input, std::string name, std::string description,
-                      std::function<bool(const Claim&)> admits,
+Hypothesis decided_by(const DiagnosisInput& input, Cause cause, std::function<bool(const Claim&)> admits,
                       std::function<ReportedDepth(const Claim&)> depth_of);
 
 /// The hypothesis that the frame shows that scene in that view.
-Hypothesis shown_instead(const DiagnosisInput& input, std::string name, std::string description,
-                         std::shared_ptr<const Scene> scene, const View& view);
+Hypothesis shown_instead(const DiagnosisInput& input, Cause cause, std::shared_ptr<const Scene> scene,
+                         const View& view);
 
 }  // namespace zproof

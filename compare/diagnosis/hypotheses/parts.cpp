@@ -23,8 +23,7 @@ bool is_blank(const Frame& frame, const Rectangle& r) {
 }
 
 /// The hypothesis that nothing was drawn in the grid cells that the candidate left blank altogether.
-Hypothesis blank(const DiagnosisInput& input, const std::string& name, const std::string& description,
-                 Resolution cell) {
+Hypothesis blank(const DiagnosisInput& input, const Cause& cause, Resolution cell) {
     const Resolution size = input.candidate.frame.size();
     const Resolution cells{(size.width + cell.width - 1) / cell.width,
                            (size.height + cell.height - 1) / cell.height};
@@ -35,7 +34,7 @@ Hypothesis blank(const DiagnosisInput& input, const std::string& name, const std
                 is_blank(input.candidate.frame,
                          {x * cell.width, y * cell.height, std::min(size.width, (x + 1) * cell.width),
                           std::min(size.height, (y + 1) * cell.height)});
-    Hypothesis h = as_declared(input, name, description);
+    Hypothesis h = as_declared(input, cause);
     h.cell = cell;
     h.amend = [is_missing, cell](Neighbourhood& around, PrimitiveId) {
         if (is_missing.at(around.x / cell.width, around.y / cell.height)) around.neighbours.clear();
@@ -75,14 +74,19 @@ int blank_along(const DiagnosisInput& input, Side side) {
 std::vector<Hypothesis> blank_sides(const DiagnosisInput& input) {
     const Resolution size = input.candidate.frame.size();
     std::vector<Hypothesis> all;
-    for (const auto& [side, name, most] : {std::tuple{Side::bottom, "the last rows are missing", size.height},
-                                           {Side::right, "the last columns are missing", size.width},
-                                           {Side::top, "the first rows are missing", size.height},
-                                           {Side::left, "the first columns are missing", size.width}}) {
+    const char* bounds = "Look at the scissor, the viewport, and loop bounds.";
+    for (const auto& [side, most, name, look_at] :
+         {std::tuple{Side::bottom, size.height, "the last rows are missing",
+                     "Look at the last block of rows, and at how the height is divided among them."},
+          {Side::right, size.width, "the last columns are missing",
+           "Look at the last block of columns, and at how the width is divided among them."},
+          {Side::top, size.height, "the first rows are missing", bounds},
+          {Side::left, size.width, "the first columns are missing", bounds}}) {
         const int count = blank_along(input, side);
         if (count == 0) continue;
         Hypothesis h = as_declared(
-            input, name, "Nothing is drawn there: " + std::to_string(count) + " of them are background.");
+            input,
+            {name, "Nothing is drawn there: " + std::to_string(count) + " of them are background.", look_at});
         h.learned_bits = std::log2(double(most));
         h.fits_a_limit = true;
         h.amend = [strip = strip_along(side, size, count)](Neighbourhood& around, PrimitiveId) {
@@ -99,9 +103,8 @@ struct Step {
 };
 
 /// Cells that hold a defect hold what belongs a step back.
-Hypothesis moved(const DiagnosisInput& input, const std::string& name, const std::string& description,
-                 Resolution cell, Step step) {
-    Hypothesis h = as_declared(input, name, description);
+Hypothesis moved(const DiagnosisInput& input, const Cause& cause, Resolution cell, Step step) {
+    Hypothesis h = as_declared(input, cause);
     h.cell = cell;
     h.restate = [=](Claim claim) -> std::optional<Claim> {
         claim.x -= step.dx;
@@ -113,8 +116,10 @@ Hypothesis moved(const DiagnosisInput& input, const std::string& name, const std
 
 std::vector<Hypothesis> moved_rows(const DiagnosisInput& input) {
     const auto rows = [&](const std::string& from, Step step) {
-        return moved(input, "some rows show the pixel " + from,
-                     "Rows that hold a defect hold what belongs to the pixel " + from + ".",
+        return moved(input,
+                     {"some rows show the pixel " + from,
+                      "Rows that hold a defect hold what belongs to the pixel " + from + ".",
+                      "Look at the row's first address: pitch, padding, and the order of threads."},
                      {input.view.width, 1}, step);
     };
     return {rows("to the left", {1, 0}), rows("to the right", {-1, 0}), rows("above", {0, 1}),
@@ -126,9 +131,11 @@ std::vector<Hypothesis> moved_tiles(const DiagnosisInput& input) {
     for (const int side : tile_sides) {
         const std::string px = std::to_string(side);
         const auto tile = [&](const std::string& which, Step step) {
-            return moved(input, "a tile of " + px + " px shows the one " + which,
-                         "Tiles that hold a defect hold what belongs " + px + " px away.", {side, side},
-                         step);
+            return moved(input,
+                         {"a tile of " + px + " px shows the one " + which,
+                          "Tiles that hold a defect hold what belongs " + px + " px away.",
+                          "Look at the tile's first address, and at which tile a thread writes."},
+                         {side, side}, step);
         };
         for (Hypothesis& h : std::vector{tile("to its left", {side, 0}), tile("to its right", {-side, 0}),
                                          tile("above it", {0, side}), tile("below it", {0, -side})})
@@ -140,22 +147,33 @@ std::vector<Hypothesis> moved_tiles(const DiagnosisInput& input) {
 }  // namespace
 
 std::vector<Hypothesis> hypotheses_of_blank_frames(const DiagnosisInput& input) {
-    Hypothesis h =
-        blank(input, "nothing was drawn", "The whole frame is background.", input.candidate.frame.size());
+    Hypothesis h = blank(input,
+                         {"nothing was drawn", "The whole frame is background.",
+                          "Look at whether the draw call is reached, and at what the camera sees."},
+                         input.candidate.frame.size());
     h.supposes_no_rule = true;
     return {h};
 }
 
 std::vector<Hypothesis> hypotheses_of_parts(const DiagnosisInput& input) {
     const Resolution size = input.candidate.frame.size();
-    std::vector<Hypothesis> all{
-        blank(input, "rows are missing", "Whole rows are background.", {size.width, 1}),
-        blank(input, "columns are missing", "Whole columns are background.", {1, size.height})};
+    std::vector<Hypothesis> all{blank(input,
+                                      {"rows are missing", "Whole rows are background.",
+                                       "Look at how rows are shared among threads, and at loop bounds."},
+                                      {size.width, 1}),
+                                blank(input,
+                                      {"columns are missing", "Whole columns are background.",
+                                       "Look at the last block of each row, and at loop bounds."},
+                                      {1, size.height})};
     for (Hypothesis& h : blank_sides(input)) all.push_back(std::move(h));
     for (const int side : tile_sides)
         if (side < std::max(size.width, size.height))  // else there is one tile, and it is the picture
-            all.push_back(blank(input, "tiles of " + std::to_string(side) + " px are missing",
-                                "Whole squares of the grid are background.", {side, side}));
+            all.push_back(
+                blank(input,
+                      {"tiles of " + std::to_string(side) + " px are missing",
+                       "Whole squares of the grid are background.",
+                       "Look at binning: which tiles a triangle is listed in, and which tiles are run."},
+                      {side, side}));
     for (const auto& more : {moved_rows(input), moved_tiles(input)})
         all.insert(all.end(), more.begin(), more.end());
     return all;

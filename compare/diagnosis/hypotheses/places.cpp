@@ -23,15 +23,16 @@ std::string step_text(const glm::dvec2& step_px) {
 
 Hypothesis shifted(const DiagnosisInput& input, const glm::dvec2& step_px) {
     Hypothesis h = as_declared(
-        input, "the image is shifted by " + step_text(step_px),
-        "Each pixel holds what belongs " + step_text(-step_px) + " from its centre (x right, y down).");
+        input,
+        {"the image is shifted by " + step_text(step_px),
+         "Each pixel holds what belongs " + step_text(-step_px) + " from its centre (x right, y down).",
+         "Look at where pixels are sampled: the centre is (x + 1/2, y + 1/2); look at loop bounds as well."});
     h.view = shifted_view(input.view, step_px);
     return h;
 }
 
-Hypothesis sampled(const DiagnosisInput& input, const glm::dvec2& offset_px, const std::string& name,
-                   const std::string& description) {
-    Hypothesis h = as_declared(input, name, description);
+Hypothesis sampled(const DiagnosisInput& input, const glm::dvec2& offset_px, const Cause& cause) {
+    Hypothesis h = as_declared(input, cause);
     h.view.sample.offset_px = offset_px;
     return h;
 }
@@ -40,17 +41,24 @@ Hypothesis sampled(const DiagnosisInput& input, const glm::dvec2& offset_px, con
 std::vector<Hypothesis> hypotheses_of_sample(const DiagnosisInput& input) {
     const auto& [index, count, offset_px] = input.view.sample;
     if (offset_px == glm::dvec2(0)) return {};
+    const char* axes = "Look at the table of sample positions: x is to the right, y is down.";
     std::vector<Hypothesis> all{
-        sampled(input, {0, 0}, "pixels are sampled at their centres",
-                "Each pixel holds what belongs to its centre, not to the sample."),
-        sampled(input, {offset_px.x, -offset_px.y}, "the sample's y is up",
-                "Each pixel holds what belongs as far above its centre as the sample lies below."),
-        sampled(input, {offset_px.y, offset_px.x}, "the sample's x and y are swapped",
-                "Each pixel holds what belongs to the sample (dy, dx) from its centre.")};
+        sampled(input, {0, 0},
+                {"pixels are sampled at their centres",
+                 "Each pixel holds what belongs to its centre, not to the sample.",
+                 "Look at where the sample's offset is added."}),
+        sampled(input, {offset_px.x, -offset_px.y},
+                {"the sample's y is up",
+                 "Each pixel holds what belongs as far above its centre as the sample lies below.", axes}),
+        sampled(input, {offset_px.y, offset_px.x},
+                {"the sample's x and y are swapped",
+                 "Each pixel holds what belongs to the sample (dy, dx) from its centre.", axes})};
     for (const Sample& other : standard_samples(count))
         if (other.index != index)
-            all.push_back(sampled(input, other.offset_px, "it is sample " + std::to_string(other.index),
-                                  "Each pixel holds what belongs to another sample of the pattern."));
+            all.push_back(sampled(input, other.offset_px,
+                                  {"it is sample " + std::to_string(other.index),
+                                   "Each pixel holds what belongs to another sample of the pattern.",
+                                   "Look at which sample is resolved or read back."}));
     return all;
 }
 
@@ -58,9 +66,8 @@ using Place = std::pair<int, int>;
 
 /// Pixel (x, y) holds what belongs to from(x, y).
 template <class From>
-Hypothesis rearranged(const DiagnosisInput& input, const std::string& name, const std::string& description,
-                      From from) {
-    Hypothesis h = as_declared(input, name, description);
+Hypothesis rearranged(const DiagnosisInput& input, const Cause& cause, From from) {
+    Hypothesis h = as_declared(input, cause);
     h.restate = [from](const Claim& claim) -> std::optional<Claim> {
         const Place place = from(claim.x, claim.y);
         return Claim{place.first, place.second, claim.answer};
@@ -81,26 +88,35 @@ View shifted_view(const View& view, const glm::dvec2& step_px) {
 
 std::vector<Hypothesis> hypotheses_of_place(const DiagnosisInput& input) {
     const int right = input.view.width - 1, lowest = input.view.height - 1;
+    const char* exchanged = "Look at indices such as y * width + x: rows and columns are exchanged.";
     std::vector<Hypothesis> all{
-        rearranged(input, "the image is flipped in y", "Row y holds what belongs to row H - 1 - y.",
+        rearranged(input,
+                   {"the image is flipped in y", "Row y holds what belongs to row H - 1 - y.",
+                    "Look at the viewport transform and at how rows are written: row 0 is the top."},
                    [=](int x, int y) {
                        return Place{x, lowest - y};
                    }),
-        rearranged(input, "the image is flipped in x", "Column x holds what belongs to column W - 1 - x.",
+        rearranged(input,
+                   {"the image is flipped in x", "Column x holds what belongs to column W - 1 - x.",
+                    "Look at the camera's right axis, or its cross product's order."},
                    [=](int x, int y) {
                        return Place{right - x, y};
                    }),
-        rearranged(input, "the image is turned by half a turn",
-                   "Pixel (x, y) holds what belongs to (W - 1 - x, H - 1 - y).",
+        rearranged(input,
+                   {"the image is turned by half a turn",
+                    "Pixel (x, y) holds what belongs to (W - 1 - x, H - 1 - y).",
+                    "Look at the viewport transform and the camera's axes: both are negated."},
                    [=](int x, int y) {
                        return Place{right - x, lowest - y};
                    }),
-        rearranged(input, "the image is transposed", "Pixel (x, y) holds what belongs to (y, x).",
+        rearranged(input,
+                   {"the image is transposed", "Pixel (x, y) holds what belongs to (y, x).", exchanged},
                    [](int x, int y) {
                        return Place{y, x};
                    })};
-    all.push_back(rearranged(input, "the image is transposed and stretched",
-                             "Pixel (x, y) holds what belongs to (y W / H, x H / W).",
+    all.push_back(rearranged(input,
+                             {"the image is transposed and stretched",
+                              "Pixel (x, y) holds what belongs to (y W / H, x H / W).", exchanged},
                              [w = right + 1, h = lowest + 1](int x, int y) {
                                  return Place{y * w / h, x * h / w};
                              }));

@@ -13,9 +13,8 @@ std::string bits_text(int bits) {
     return std::to_string(bits) + (bits == 1 ? " sub-pixel bit" : " sub-pixel bits");
 }
 
-Hypothesis as_precise_as(const DiagnosisInput& input, const std::string& name, const std::string& description,
-                         const RasterPrecision& precision) {
-    Hypothesis h = as_declared(input, name, description);
+Hypothesis as_precise_as(const DiagnosisInput& input, const Cause& cause, const RasterPrecision& precision) {
+    Hypothesis h = as_declared(input, cause);
     h.precision = precision;
     h.only_permits = true;
     return h;
@@ -24,8 +23,10 @@ Hypothesis as_precise_as(const DiagnosisInput& input, const std::string& name, c
 /// Rounding down is rounding to nearest of an image that stands half a step further up and left.
 Hypothesis truncating(const DiagnosisInput& input, const RasterPrecision& declared, double direction,
                       const std::string& how) {
-    Hypothesis h = as_declared(input, "vertices are snapped " + how,
-                               "Vertices go to the next grid point " + how + " instead of the nearest.");
+    Hypothesis h =
+        as_declared(input, {"vertices are snapped " + how,
+                            "Vertices go to the next grid point " + how + " instead of the nearest.",
+                            "Look at the conversion to fixed point: round to the nearest, do not cut."});
     const double half_step = std::ldexp(0.5, -declared.subpixel_bits);
     h.moves_triangles = true;
     h.only_permits = true;
@@ -44,16 +45,22 @@ std::vector<Hypothesis> of_coordinates(const DiagnosisInput& input, const Raster
     if (declared.transform == Arithmetic::float64) {
         RasterPrecision p = declared;
         p.transform = Arithmetic::float32;
-        all.push_back(as_precise_as(input, "vertices are transformed in float32",
-                                    "Matrix, division and viewport run in float32 instead of float64.", p));
+        all.push_back(as_precise_as(input,
+                                    {"vertices are transformed in float32",
+                                     "Matrix, division and viewport run in float32 instead of float64.",
+                                     "Look at the type of matrices and vertices on the way to the grid."},
+                                    p));
     }
     for (int bits = declared.subpixel_bits - 1; bits >= 0; --bits) {
         RasterPrecision p = declared;
         p.subpixel_bits = bits;
-        all.push_back(as_precise_as(input, "only " + bits_text(bits),
-                                    "Vertices snap to a grid of 2^-" + std::to_string(bits) +
-                                        " px, declared " + std::to_string(declared.subpixel_bits) + " bits.",
-                                    p));
+        all.push_back(
+            as_precise_as(input,
+                          {"only " + bits_text(bits),
+                           "Vertices snap to a grid of 2^-" + std::to_string(bits) + " px, declared " +
+                               std::to_string(declared.subpixel_bits) + " bits.",
+                           "Look at the fixed-point scale of the rasterizer's vertices: the sub-pixel bits."},
+                          p));
     }
     for (Hypothesis& h : all) h.moves_triangles = true;
     std::ranges::stable_sort(all, {}, [&](const Hypothesis& h) { return eps_base_px(input, h.precision); });
@@ -85,8 +92,11 @@ std::vector<Hypothesis> of_depth_buffers(const DiagnosisInput& input, const Rast
         p.depth_interpolation = DepthInterpolation::plane;
         p.shown_depth = ShownDepth::buffer;
         all.push_back(as_precise_as(
-            input, std::string("undeclared depth buffer: ") + one.name,
-            std::string("Depth went through a buffer that was not declared: ") + one.name + ".", p));
+            input,
+            {std::string("undeclared depth buffer: ") + one.name,
+             std::string("Depth went through a buffer that was not declared: ") + one.name + ".",
+             "Look at the depth buffer's format: declare it (docs/bounds.md), or interpolate depth apart."},
+            p));
     }
     return all;
 }
@@ -151,11 +161,15 @@ void tells_equal_steps_only(Hypothesis& h, const DiagnosisInput& input, double s
     });
 }
 
+constexpr const char* stored_format =
+    "Look at the depth buffer's format, and at the format of the file that it is read from.";
+
 Hypothesis stored_in(const DiagnosisInput& input, int bits) {
     const FixedPoint format(input.view, bits);
-    Hypothesis h =
-        as_declared(input, "depth has " + std::to_string(bits) + " bits, fixed point",
-                    "Depth went through a buffer of " + std::to_string(bits) + " bits between near and far.");
+    Hypothesis h = as_declared(
+        input, {"depth has " + std::to_string(bits) + " bits, fixed point",
+                "Depth went through a buffer of " + std::to_string(bits) + " bits between near and far.",
+                stored_format});
     h.report = format;
     h.amend = [step = format.step](Neighbourhood& around, PrimitiveId) {
         for (Neighbour& n : around.neighbours)
@@ -183,9 +197,10 @@ Hypothesis stored_in(const DiagnosisInput& input, int bits) {
 /// Depth itself in whole steps between near and far, as a grey value has it.
 Hypothesis stored_linearly(const DiagnosisInput& input, int bits) {
     const Camera& c = input.view.camera;
-    Hypothesis h = as_declared(
-        input, "depth has " + std::to_string(bits) + " bits, in equal steps",
-        "Depth was stored in equal steps between near and far, " + std::to_string(bits) + " bits of them.");
+    Hypothesis h = as_declared(input, {"depth has " + std::to_string(bits) + " bits, in equal steps",
+                                       "Depth was stored in equal steps between near and far, " +
+                                           std::to_string(bits) + " bits of them.",
+                                       stored_format});
     const double step = (c.far_depth - c.near_depth) / (std::ldexp(1.0, bits) - 1);
     h.report = [step](const DepthBound& bound, const Claim&) {
         const double r = gamma(4, unit_roundoff_float32);
@@ -198,8 +213,10 @@ Hypothesis stored_linearly(const DiagnosisInput& input, int bits) {
 
 /// Depth as a float of fewer significant bits, rounded either way. It tells no depth of more bits.
 Hypothesis stored_as_float(const DiagnosisInput& input, int bits) {
-    Hypothesis h = as_declared(input, "depth is a float of " + std::to_string(bits) + " bits",
-                               "Depth was rounded to " + std::to_string(bits) + " significant bits.");
+    Hypothesis h =
+        as_declared(input, {"depth is a float of " + std::to_string(bits) + " bits",
+                            "Depth was rounded to " + std::to_string(bits) + " significant bits.",
+                            "Look for half floats or reduced precision where depth is kept or exported."});
     const double r = std::ldexp(1.0, 1 - bits);
     h.report = [r](const DepthBound& bound, const Claim&) {
         return ReportedDepth{bound.low - r * std::abs(bound.low), bound.high + r * std::abs(bound.high)};

@@ -4,9 +4,8 @@
 
 namespace zproof {
 
-Hypothesis with_ids_reported_as(const DiagnosisInput& input, const std::string& name,
-                                const std::string& description, const Renamed& told) {
-    Hypothesis h = as_declared(input, name, description);
+Hypothesis with_ids_reported_as(const DiagnosisInput& input, const Cause& cause, const Renamed& told) {
+    Hypothesis h = as_declared(input, cause);
     h.reads_surroundings = true;
     h.restate = [told, &seen = input.reference.frame.primitive](Claim claim) -> std::optional<Claim> {
         if (claim.answer.primitive == PrimitiveId::none) return claim;

@@ -14,8 +14,7 @@ using Renamed = std::function<std::uint32_t(std::uint32_t id)>;
 /// The hypothesis that told(id) is reported instead of an id. Where an id no longer tells which triangle it
 /// was, one is sought among those that the reference sees at the pixel and around it. Whether that one is
 /// admissible is for the judge to say.
-Hypothesis with_ids_reported_as(const DiagnosisInput& input, const std::string& name,
-                                const std::string& description, const Renamed& told);
+Hypothesis with_ids_reported_as(const DiagnosisInput& input, const Cause& cause, const Renamed& told);
 
 using Ids = std::unordered_map<std::uint32_t, std::uint32_t>;
 

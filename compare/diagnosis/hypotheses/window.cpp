@@ -7,9 +7,8 @@ namespace zproof {
 
 namespace {
 
-Hypothesis seen_in(const DiagnosisInput& input, const std::string& name, const std::string& description,
-                   const View& view) {
-    return shown_instead(input, name, description, declared_scene(input), view);
+Hypothesis seen_in(const DiagnosisInput& input, const Cause& cause, const View& view) {
+    return shown_instead(input, cause, declared_scene(input), view);
 }
 
 /// The window with half-sides of these lengths, about the same centre.
@@ -26,40 +25,50 @@ std::vector<Hypothesis> of_windows(const DiagnosisInput& input) {
     const Window& w = input.view.camera.window;
     const double wide = (w.right - w.left) / 2, high = (w.top - w.bottom) / 2;
     const double aspect = wide / high;
-    const auto window = [&](const std::string& name, const std::string& description, double half_width,
-                            double half_height) {
-        return seen_in(input, name, description, with_half_sides(input.view, half_width, half_height));
+    const auto window = [&](const Cause& cause, double half_width, double half_height) {
+        return seen_in(input, cause, with_half_sides(input.view, half_width, half_height));
     };
+    const char* halves = "Look at whether a number is a half-size or a size: xmag and ymag are half-sizes.";
+    const char* scale = "Look at the projection's scale of that axis, and at the aspect.";
+    const char* ratio = "Look at the aspect: it is the window's width by its height, not the picture's.";
+    const char* square = "Look at the aspect: it comes from the camera, or is width by height, not 1.";
+    const char* yfov = "Look at the axis that the field of view is of: glTF's yfov is the vertical one.";
     std::vector<Hypothesis> all{
-        window("the window is half as large", "Width and height are taken for half of themselves.", wide / 2,
+        window({"the window is half as large", "Width and height are taken for half of themselves.", halves},
+               wide / 2, high / 2),
+        window({"the window is twice as large", "Width and height are taken for their halves.", halves},
+               2 * wide, 2 * high),
+        window({"the window is half as wide", "The width is taken for half of itself.", scale}, wide / 2,
+               high),
+        window({"the window is twice as wide", "The width is taken for its half.", scale}, 2 * wide, high),
+        window({"the window is half as high", "The height is taken for half of itself.", scale}, wide,
                high / 2),
-        window("the window is twice as large", "Width and height are taken for their halves.", 2 * wide,
-               2 * high),
-        window("the window is half as wide", "The width is taken for half of itself.", wide / 2, high),
-        window("the window is twice as wide", "The width is taken for its half.", 2 * wide, high),
-        window("the window is half as high", "The height is taken for half of itself.", wide, high / 2),
-        window("the window is twice as high", "The height is taken for its half.", wide, 2 * high)};
+        window({"the window is twice as high", "The height is taken for its half.", scale}, wide, 2 * high)};
     const double width = input.view.width, height = input.view.height;
     if (wide * height != high * width) {
-        all.push_back(window("pixels are taken for square: the width follows the height",
-                             "The window is as wide as square pixels of its height are.",
+        all.push_back(window({"pixels are taken for square: the width follows the height",
+                              "The window is as wide as square pixels of its height are.", ratio},
                              high * width / height, high));
-        all.push_back(window("pixels are taken for square: the height follows the width",
-                             "The window is as high as square pixels of its width are.", wide,
-                             wide * height / width));
+        all.push_back(window({"pixels are taken for square: the height follows the width",
+                              "The window is as high as square pixels of its width are.", ratio},
+                             wide, wide * height / width));
     }
     if (wide == high) return all;
-    all.push_back(window("the window's width and height are exchanged",
-                         "The picture is as wide as it should be high.", high, wide));
-    all.push_back(window("the window is square: its height is its width as well",
-                         "The aspect is taken for 1, and the width follows the height.", high, high));
-    all.push_back(window("the window is square: its width is its height as well",
-                         "The aspect is taken for 1, and the height follows the width.", wide, wide));
-    all.push_back(window("the field of view belongs to the other axis",
-                         "The angle that spans the height spans the width, or the other way round.", high,
-                         high / aspect));
-    all.push_back(window("the field of view belongs to the other axis",
-                         "The angle that spans the width spans the height, or the other way round.",
+    all.push_back(
+        window({"the window's width and height are exchanged", "The picture is as wide as it should be high.",
+                "Look at the projection's arguments: x and y are exchanged."},
+               high, wide));
+    all.push_back(window({"the window is square: its height is its width as well",
+                          "The aspect is taken for 1, and the width follows the height.", square},
+                         high, high));
+    all.push_back(window({"the window is square: its width is its height as well",
+                          "The aspect is taken for 1, and the height follows the width.", square},
+                         wide, wide));
+    all.push_back(window({"the field of view belongs to the other axis",
+                          "The angle that spans the height spans the width, or the other way round.", yfov},
+                         high, high / aspect));
+    all.push_back(window({"the field of view belongs to the other axis",
+                          "The angle that spans the width spans the height, or the other way round.", yfov},
                          wide * aspect, wide));
     return all;
 }
@@ -80,36 +89,48 @@ std::vector<Hypothesis> of_offsets(const DiagnosisInput& input) {
         sheared.camera.shear = shear;
         return sheared;
     };
+    const char* sides =
+        "Look at the projection's arguments: left, right, bottom and top need not lie about the axis.";
+    const char* oblique = "Look at the projection of an oblique view: depth moves points aside.";
     std::vector<Hypothesis> all;
     if (length(offset) > 0) {
-        all.push_back(seen_in(input, "the window's offset is ignored",
-                              "The window stands about the view axis.", with_offset(glm::dvec2(0))));
+        all.push_back(seen_in(
+            input, {"the window's offset is ignored", "The window stands about the view axis.", sides},
+            with_offset(glm::dvec2(0))));
         if (offset.x != 0 && offset.y != 0) {
-            all.push_back(seen_in(input, "the window's offset is ignored in x",
-                                  "The window stands about the view axis in x.", with_offset({0, offset.y})));
-            all.push_back(seen_in(input, "the window's offset is ignored in y",
-                                  "The window stands about the view axis in y.", with_offset({offset.x, 0})));
+            all.push_back(seen_in(
+                input,
+                {"the window's offset is ignored in x", "The window stands about the view axis in x.", sides},
+                with_offset({0, offset.y})));
+            all.push_back(seen_in(
+                input,
+                {"the window's offset is ignored in y", "The window stands about the view axis in y.", sides},
+                with_offset({offset.x, 0})));
         }
         for (const glm::dvec2& sign : {glm::dvec2(-1, -1), glm::dvec2(-1, 1), glm::dvec2(1, -1)})
             if (sign * offset != offset)
-                all.push_back(seen_in(input, "the window's offset has the wrong sign",
-                                      "The window stands on the other side of the view axis.",
+                all.push_back(seen_in(input,
+                                      {"the window's offset has the wrong sign",
+                                       "The window stands on the other side of the view axis.", sides},
                                       with_offset(sign * offset)));
     }
     const glm::dvec2& shear = view.camera.shear;
     if (length(shear) > 0) {
-        all.push_back(seen_in(input, "the shear is ignored", "The view ray is the view axis.",
+        all.push_back(seen_in(input, {"the shear is ignored", "The view ray is the view axis.", oblique},
                               with_shear(glm::dvec2(0))));
         if (shear.x != 0 && shear.y != 0) {
-            all.push_back(seen_in(input, "the shear is ignored in x", "The view ray leans up or down alone.",
-                                  with_shear({0, shear.y})));
-            all.push_back(seen_in(input, "the shear is ignored in y", "The view ray leans aside alone.",
+            all.push_back(
+                seen_in(input, {"the shear is ignored in x", "The view ray leans up or down alone.", oblique},
+                        with_shear({0, shear.y})));
+            all.push_back(seen_in(input,
+                                  {"the shear is ignored in y", "The view ray leans aside alone.", oblique},
                                   with_shear({shear.x, 0})));
         }
         for (const glm::dvec2& sign : {glm::dvec2(-1, -1), glm::dvec2(-1, 1), glm::dvec2(1, -1)})
             if (sign * shear != shear)
-                all.push_back(seen_in(input, "the shear has the wrong sign",
-                                      "The view ray leans to the other side.", with_shear(sign * shear)));
+                all.push_back(seen_in(
+                    input, {"the shear has the wrong sign", "The view ray leans to the other side.", oblique},
+                    with_shear(sign * shear)));
     }
     return all;
 }
@@ -128,39 +149,47 @@ View before_turned_scene(const View& view, Back turned_back) {
 
 std::vector<Hypothesis> of_scenes(const DiagnosisInput& input) {
     using Point = glm::dvec3;
-    const auto turned = [&](const std::string& name, const std::string& description, auto turned_back) {
-        return seen_in(input, name, description, before_turned_scene(input.view, turned_back));
+    const auto turned = [&](const Cause& cause, auto turned_back) {
+        return seen_in(input, cause, before_turned_scene(input.view, turned_back));
     };
-    return {turned("z is up instead of y", "The scene is turned: (x, y, z) lies at (x, -z, y).",
+    const char* handedness = "Look at the conversion between left-handed and right-handed axes.";
+    return {turned({"z is up instead of y", "The scene is turned: (x, y, z) lies at (x, -z, y).",
+                    "Look at the import: the file's y is up, and the scene was turned as if z were."},
                    [](const Point& p) { return Point(p.x, p.z, -p.y); }),
-            turned("y is up instead of z", "The scene is turned: (x, y, z) lies at (x, z, -y).",
+            turned({"y is up instead of z", "The scene is turned: (x, y, z) lies at (x, z, -y).",
+                    "Look at the import: the scene was turned from z up to y up although y was up."},
                    [](const Point& p) { return Point(p.x, -p.z, p.y); }),
-            turned("the scene's z is negated: left-handed", "(x, y, z) lies at (x, y, -z).",
+            turned({"the scene's z is negated: left-handed", "(x, y, z) lies at (x, y, -z).", handedness},
                    [](const Point& p) { return Point(p.x, p.y, -p.z); }),
-            turned("the scene's x is negated", "(x, y, z) lies at (-x, y, z).",
+            turned({"the scene's x is negated", "(x, y, z) lies at (-x, y, z).", handedness},
                    [](const Point& p) { return Point(-p.x, p.y, p.z); }),
-            turned("the scene's y is negated", "(x, y, z) lies at (x, -y, z).",
+            turned({"the scene's y is negated", "(x, y, z) lies at (x, -y, z).", handedness},
                    [](const Point& p) { return Point(p.x, -p.y, p.z); })};
 }
 
 std::vector<Hypothesis> of_cameras(const DiagnosisInput& input) {
-    const auto camera = [&](const std::string& name, const std::string& description, const glm::dmat3& axes) {
+    const auto camera = [&](const Cause& cause, const glm::dmat3& axes) {
         View view = input.view;
         view.camera.right = axes[0];
         view.camera.up = axes[1];
         view.camera.back = axes[2];
-        return seen_in(input, name, description, view);
+        return seen_in(input, cause, view);
     };
     const Camera& c = input.view.camera;
-    return {camera("the camera's rotation is transposed", "Its matrix is taken for its inverse.",
-                   transpose(glm::dmat3(c.right, c.up, c.back))),
-            camera("the camera looks backwards, upside down",
-                   "Its y and z are negated: axes of computer vision, y down and z ahead.",
-                   glm::dmat3(c.right, -c.up, -c.back)),
-            camera("the camera looks backwards", "Its x and z are negated: it is turned by half a turn.",
-                   glm::dmat3(-c.right, c.up, -c.back)),
-            camera("the camera looks backwards, mirrored", "Its z is negated.",
-                   glm::dmat3(c.right, c.up, -c.back))};
+    const char* forward = "Look at the camera's forward axis: it looks along -z.";
+    return {
+        camera({"the camera's rotation is transposed", "Its matrix is taken for its inverse.",
+                "Look at the view matrix: rows against columns, or the camera's pose taken for its inverse."},
+               transpose(glm::dmat3(c.right, c.up, c.back))),
+        camera({"the camera looks backwards, upside down",
+                "Its y and z are negated: axes of computer vision, y down and z ahead.",
+                "Look at the camera's axes: OpenCV has y down and z ahead, OpenGL y up and z back."},
+               glm::dmat3(c.right, -c.up, -c.back)),
+        camera(
+            {"the camera looks backwards", "Its x and z are negated: it is turned by half a turn.", forward},
+            glm::dmat3(-c.right, c.up, -c.back)),
+        camera({"the camera looks backwards, mirrored", "Its z is negated.", forward},
+               glm::dmat3(c.right, c.up, -c.back))};
 }
 
 /// The other kind of projection, through a window of the same numbers.
@@ -170,13 +199,17 @@ std::vector<Hypothesis> of_projections(const DiagnosisInput& input) {
     if (c.projection == Projection::perspective) {
         if (!std::isfinite(c.far_depth)) return {};
         c.projection = Projection::parallel;
-        return {seen_in(input, "a perspective is drawn as a parallel view", "Nothing is divided by depth.",
+        return {seen_in(input,
+                        {"a perspective is drawn as a parallel view", "Nothing is divided by depth.",
+                         "Look at the division by w, and at which of the two matrices is used."},
                         view)};
     }
     if (c.near_depth <= 0) return {};
     c.projection = Projection::perspective;
-    return {
-        seen_in(input, "a parallel view is drawn as a perspective", "x and y are divided by depth.", view)};
+    return {seen_in(input,
+                    {"a parallel view is drawn as a perspective", "x and y are divided by depth.",
+                     "Look at the division by w, which is 1, and at which matrix is used."},
+                    view)};
 }
 
 /// Vertices of larger index than 16 bits hold.
@@ -185,9 +218,12 @@ std::vector<Hypothesis> of_short_indices(const DiagnosisInput& input) {
     const auto scene = std::make_shared<Scene>();
     scene->vertices.position_world = input.scene.vertices.position_world;
     for (const glm::uvec3& t : input.scene.triangles) scene->triangles.push_back(t & 0xFFFFu);
-    return {shown_instead(input, "vertex indices keep their low 16 bits",
-                          "Corners are those of the vertices whose index is the right one modulo 2^16.",
-                          scene, input.view)};
+    return {shown_instead(
+        input,
+        {"vertex indices keep their low 16 bits",
+         "Corners are those of the vertices whose index is the right one modulo 2^16.",
+         "Look at the index buffer's type: 16 bits hold 65 536 vertices; use 32, or split the mesh."},
+        scene, input.view)};
 }
 
 }  // namespace
