@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/renderers/registry.h"
 #include "frame/input_file.h"
+#include "frame/joined.h"
 #include "math/processor.h"
 #include "program/companion.h"
 #include "program/settings/apply.h"
@@ -53,15 +54,9 @@ void print_renderers() {
     }
 }
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-    return text;
-}
-
 void print_setting(const Setting& setting, const SettingValues& effective, const CLI::Option* option) {
     const auto said = std::ranges::find(effective, setting.name, &SettingValue::name);
-    std::string value = said != effective.end() ? joined(said->words) : option->get_default_str();
+    std::string value = said != effective.end() ? joined(said->words, " ") : option->get_default_str();
     if (value.empty() && setting.kind == Setting::Kind::flag) value = "false";
     print_row(setting.name,
               padded(value.empty() ? "-" : value, 24) + (said != effective.end() ? said->origin : "default"));

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A z-buffer in plain Python: the smallest renderer that zproof can judge (docs/renderer-contract.md).
 
-    zproof contract-check 'python3 examples/zbuffer.py {scene} {camera} {out}' \\
+    zproof contract-check 'python3 examples/zbuffer.py {scene} {camera} {width} {height} {out}' \\
         --precision raster,transform=float64,interpolation=float64,depth_roundings=1
 
 Corners are transformed in float64 and snapped to 1/256 pixel. Coverage is decided in integers, which Python

@@ -13,6 +13,7 @@
 #include "frame/found_text.h"
 #include "frame/frame_error.h"
 #include "frame/input_file.h"
+#include "frame/joined.h"
 
 namespace zproof {
 namespace {
@@ -124,12 +125,6 @@ constexpr auto convention_keys = std::to_array<ConventionKey>({
      [](Convention& c, const Json& v) { return store_positive(c.baseline.emplace(), v); }},
     {"depth_background", "numbers, nan, infinity, -infinity or far", store_background_depths},
 });
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
 
 /// Where a text stands, and what it says wrong.
 [[noreturn]] void refuse_key(const std::string& place, const std::string& key, const std::string& why) {

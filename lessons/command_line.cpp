@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <array>
 
+#include "frame/joined.h"
 #include "lessons/study.h"
 #include "program/command_line/common_options.h"
 #include "program/command_line/companion_tree.h"
@@ -35,16 +36,10 @@ Candidates scenes(const std::string&) {
 
 constexpr std::array meanings{NameMeaning{"SCENE", scenes}};
 
-std::string list_of(const std::vector<std::string>& words) {
-    std::string list;
-    for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-    return list;
-}
-
 void add_common(CLI::App& app, const Study& study, StudyArguments& arguments) {
     app.add_option("SCENE", arguments.scenes,
                    "suite or filter scene, model (.gltf, .glb, .obj, .ply) or view file; none: " +
-                       list_of(study.subjects));
+                       joined(study.subjects));
     add_common(app, arguments.common, "folder for the study");
     add_progress(app, arguments.common);
     app.add_option("--view", arguments.views,
@@ -75,7 +70,7 @@ StudyArguments chosen_study(const CLI::App& app, StudyArguments& arguments) {
         if (app.get_subcommand(study.name)->parsed()) arguments.study = study.name;
     }
     if (arguments.study.empty())
-        throw UsageError{"study: one of " + list_of(names) + " expected (see: zproof study --help)"};
+        throw UsageError{"study: one of " + joined(names) + " expected (see: zproof study --help)"};
     return arguments;
 }
 

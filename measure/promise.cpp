@@ -1,4 +1,5 @@
 #include "measure/promise.h"
+#include "frame/joined.h"
 
 #include <algorithm>
 #include <array>
@@ -26,9 +27,7 @@ std::vector<std::string> broken(const Measurement& measurement, const RasterPrec
 }
 
 [[noreturn]] void refuse(const std::vector<std::string>& names) {
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    throw NoPromise{"no precision promises what was measured: " + list};
+    throw NoPromise{"no precision promises what was measured: " + joined(names)};
 }
 
 /// The finest grid, and the stricter snap on it, that the vertices keep.

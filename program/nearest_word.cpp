@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "frame/joined.h"
 #include "program/usage_error.h"
 
 namespace zproof {
@@ -35,10 +36,8 @@ std::string did_you_mean(const std::string& word, std::span<const std::string> k
 
 void require_known(const std::string& word, const KnownWords& known) {
     if (std::ranges::find(known.words, word) != known.words.end()) return;
-    std::string list;
-    for (const std::string& name : known.words) list += (list.empty() ? "" : ", ") + name;
     throw UsageError{known.place + " '" + word + "': no such " + known.kind +
-                     did_you_mean(word, known.words) + " (known: " + list + ")"};
+                     did_you_mean(word, known.words) + " (known: " + joined(known.words) + ")"};
 }
 
 }  // namespace zproof

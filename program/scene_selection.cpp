@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "frame/joined.h"
 #include "program/nearest_word.h"
 #include "reports/output_manifest.h"
 #include "reports/wording.h"
@@ -242,11 +243,7 @@ Loaded load(const SceneSource& source, Resolution resolution) {
     return loaded;
 }
 
-std::string names_of(const std::vector<View>& views) {
-    std::string names;
-    for (const View& view : views) names += (names.empty() ? "" : ", ") + view.name;
-    return names;
-}
+std::string names_of(const std::vector<View>& views) { return joined(views, ", ", &View::name); }
 
 bool states_its_size(const SceneSource& source) {
     return source.kind == SceneSource::Kind::view_file || source.kind == SceneSource::Kind::random ||

@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 
+#include "frame/joined.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -17,11 +18,7 @@ std::string field(const std::string& text) {
     return csv_field(plain);
 }
 
-std::string row(std::initializer_list<std::string> fields) {
-    std::string text;
-    for (const std::string& one : fields) text += (text.empty() ? "" : ",") + one;
-    return text + "\n";
-}
+std::string row(std::initializer_list<std::string> fields) { return joined(fields, ",") + "\n"; }
 
 /// Everything before the class.
 std::string beginning(const ViewResult& v) {

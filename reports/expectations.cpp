@@ -1,4 +1,5 @@
 #include "reports/expectations.h"
+#include "frame/joined.h"
 
 #include <algorithm>
 #include <string>
@@ -12,12 +13,6 @@ bool occurs(const std::string& class_name, const ViewResult& view) {
     return false;
 }
 
-std::string in_a_row(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
-
 }  // namespace
 
 void hold_to_expectations(std::span<ViewResult> views) {
@@ -28,7 +23,7 @@ void hold_to_expectations(std::span<ViewResult> views) {
             missing.push_back(expected);
     if (missing.empty()) return;
     views.back().outcome = Outcome::defective;
-    views.back().message = "the suite expects pixels of class " + in_a_row(missing) +
+    views.back().message = "the suite expects pixels of class " + joined(missing) +
                            " in this scene, and there are none: it no longer tests what it is there for";
 }
 

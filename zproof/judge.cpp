@@ -3,6 +3,7 @@
 #include "compare/judge.h"
 #include "compare/labels/labelled_frame.h"
 #include "compare/labels/own_depths.h"
+#include "frame/joined.h"
 #include "frame/precision_presets.h"
 #include "frame/precision_text.h"
 #include "scenes/judged_ranges.h"
@@ -23,12 +24,7 @@ void require_length(const char* what, std::size_t length, const View& view) {
                      std::to_string(view.size().height) + " = " + std::to_string(pixels)};
 }
 
-std::string preset_names() {
-    std::string names;
-    for (const PrecisionPreset& preset : precision_presets())
-        names += (names.empty() ? "" : ", ") + std::string(preset.name);
-    return names;
-}
+std::string preset_names() { return joined(precision_presets(), ", ", &PrecisionPreset::name); }
 
 Declared declared(const Scene& scene, const Candidate& candidate) {
     if (candidate.id.empty() && candidate.depth.empty())

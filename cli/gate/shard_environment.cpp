@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/gate/shard.h"
+#include "frame/joined.h"
 #include "program/usage_error.h"
 
 namespace zproof {
@@ -64,12 +65,7 @@ void show_that_it_is_listened_to(const Environment& environment) {
         std::ofstream{file, std::ios::app};
 }
 
-std::string all_indices() {
-    std::string names;
-    for (const ShardVariables& one : conventions)
-        names += (names.empty() ? "" : ", ") + std::string{one.index};
-    return names;
-}
+std::string all_indices() { return joined(conventions, ", ", &ShardVariables::index); }
 
 }  // namespace
 

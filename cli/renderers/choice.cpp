@@ -4,6 +4,7 @@
 
 #include "cli/renderers/registry.h"
 #include "frame/input_file.h"
+#include "frame/joined.h"
 #include "program/nearest_word.h"
 #include "program/shell_line.h"
 #include "program/usage_error.h"
@@ -12,11 +13,7 @@
 namespace zproof {
 namespace {
 
-std::string known_names() {
-    std::string names;
-    for (const std::string& name : renderer_names()) names += (names.empty() ? "" : ", ") + name;
-    return names;
-}
+std::string known_names() { return joined(renderer_names()); }
 
 /// The option that names it; empty for the default.
 std::string option_of(const BuiltIn& built_in) {

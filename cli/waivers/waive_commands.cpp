@@ -7,6 +7,7 @@
 #include "cli/report_files.h"
 #include "cli/waivers/waiver_file.h"
 #include "frame/folder_lock.h"
+#include "frame/joined.h"
 #include "frame/whole_file.h"
 #include "program/usage_error.h"
 #include "reports/waiver_status.h"
@@ -29,9 +30,7 @@ std::string time_left(const Waiver& waiver, Day today) {
 }
 
 std::string classes_of(const Waiver& waiver) {
-    std::string text;
-    for (const PixelClass c : waiver.classes) text += (text.empty() ? "" : ", ") + std::string(name_of(c));
-    return text;
+    return joined(waiver.classes, ", ", [](PixelClass c) { return name_of(c); });
 }
 
 std::string line_of(const Waiver& w, Day today) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "frame/joined.h"
 #include "program/nearest_word.h"
 #include "program/toml/reader.h"
 
@@ -22,12 +23,6 @@ std::vector<std::string> waivable_names() {
     for (int i = 0; i < pixel_class_count; ++i)
         if (is_waivable(PixelClass(i))) names.emplace_back(name_of(PixelClass(i)));
     return names;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
 }
 
 PixelClass waivable_class(const TomlReader& entry, const TomlValue& value) {

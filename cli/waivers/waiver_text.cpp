@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "cli/waivers/waiver_file.h"
+#include "frame/joined.h"
 #include "program/usage_error.h"
 
 namespace zproof {
@@ -27,9 +28,7 @@ std::string id_word(PrimitiveId id) {
 
 template <class Items, class Word>
 std::string list_of(const Items& items, const Word& word) {
-    std::string text;
-    for (const auto& item : items) text += (text.empty() ? "" : ", ") + word(item);
-    return "[" + text + "]";
+    return "[" + joined(items, ", ", word) + "]";
 }
 
 std::string place_line(const Anywhere&) { return "allow_all = true"; }

@@ -306,8 +306,9 @@ inline void write_exr(const std::string& path, const Frame& frame) {
 template <class Render>
 int run(int argc, char** argv, Render render) {
     try {
-        if (argc != 4) throw std::runtime_error("expected SCENE.glb CAMERA.json OUT.exr");
-        write_exr(argv[3], render(read_triangles(argv[1]), read_camera(argv[2])));
+        if (argc != 4 && argc != 6)  // the camera file tells the size, too
+            throw std::runtime_error("expected SCENE.glb CAMERA.json [WIDTH HEIGHT] OUT.exr");
+        write_exr(argv[argc - 1], render(read_triangles(argv[1]), read_camera(argv[2])));
         return 0;
     } catch (const std::exception& e) {
         std::cerr << argv[0] << ": " << e.what() << "\n";

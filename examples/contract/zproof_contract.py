@@ -7,7 +7,7 @@
         ...                                   # frame.set(x, y, triangle, depth)
         return frame
 
-    contract.main(render)                     # python3 mine.py {scene} {camera} {out}
+    contract.main(render)      # python3 mine.py {scene} {camera} {width} {height} {out}
 
 It needs nothing but Python. NumPy works where it is used: `Camera.ray` takes arrays of pixels, and `Frame.id` and
 `Frame.depth` may be arrays of uint32 and float32.
@@ -147,7 +147,7 @@ def _plane(frame, name, values, kind, words):
 
 def main(render):
     """Reads the files that the command line names, calls render(triangles, camera), and writes its frame."""
-    if len(sys.argv) != 4:
-        sys.exit(f'usage: {sys.argv[0]} SCENE.glb CAMERA.json OUT.exr')
-    scene, camera, out = sys.argv[1:]
+    if len(sys.argv) not in (4, 6):  # the camera file tells the size, too
+        sys.exit(f'usage: {sys.argv[0]} SCENE.glb CAMERA.json [WIDTH HEIGHT] OUT.exr')
+    scene, camera, out = sys.argv[1], sys.argv[2], sys.argv[-1]
     write_exr(out, render(read_triangles(scene), Camera(camera)))

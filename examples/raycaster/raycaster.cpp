@@ -1,7 +1,8 @@
 // Every ray against every triangle, in float64: a renderer that keeps the contract
 // (docs/renderer-contract.md).
 //
-//   zproof contract-check './raycaster {scene} {camera} {out}' --precision ray,arithmetic=float64
+//   zproof contract-check './raycaster {scene} {camera} {width} {height} {out}' --precision
+//   ray,arithmetic=float64
 #include <array>
 #include <exception>
 #include <fstream>
@@ -102,9 +103,10 @@ zproof::Frame render(const zproof::Scene& scene, const Eye& eye) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4) return std::cerr << "usage: raycaster SCENE.glb CAMERA.json OUT.exr\n", 2;
+    if (argc != 4 && argc != 6)  // the camera file tells the size, too
+        return std::cerr << "usage: raycaster SCENE.glb CAMERA.json [WIDTH HEIGHT] OUT.exr\n", 2;
     try {
-        zproof::write_frame(argv[3], render(zproof::load_gltf(argv[1]).scene, read_camera(argv[2])));
+        zproof::write_frame(argv[argc - 1], render(zproof::load_gltf(argv[1]).scene, read_camera(argv[2])));
         return 0;
     } catch (const std::exception& e) {
         std::cerr << "raycaster: " << e.what() << "\n";

@@ -10,6 +10,7 @@
 #include "filters/commands/precision_words.h"
 #include "filters/methods/catalogue.h"
 #include "filters/study/published_results.h"
+#include "frame/joined.h"
 #include "program/command_line/common_options.h"
 #include "program/command_line/companion_tree.h"
 #include "program/command_line/parsing.h"
@@ -266,14 +267,6 @@ std::vector<PictureChoice> chosen_pictures(const FiltersWords& words) {
     return pictures;
 }
 
-/// "crow-1984, hensley-2005, ..."
-std::string reproducible_names() {
-    std::string names;
-    for (const study::PublishedResult& result : study::published_results())
-        names += (names.empty() ? "" : ", ") + std::string{result.name};
-    return names;
-}
-
 }  // namespace
 
 namespace {
@@ -287,7 +280,9 @@ void add_commands(CLI::App& app, FiltersWords& words) {
     add_common(scenes, words.scenes.common, "folder for the files");
     CLI::App& reproduce =
         *app.add_subcommand("reproduce", "published results, computed again beside the published figures");
-    reproduce.add_option("NAME", words.reproduce.names, reproducible_names() + "; none: all");
+    reproduce.add_option(
+        "NAME", words.reproduce.names,
+        joined(study::published_results(), ", ", &study::PublishedResult::name) + "; none: all");
     add_common(reproduce, words.reproduce.common);
     add_table(*app.add_subcommand("table", "print a study's table"), words);
     add_figure(*app.add_subcommand("figure", "make a study's plots, crops and page again"), words);

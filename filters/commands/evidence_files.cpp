@@ -3,6 +3,7 @@
 #include <array>
 
 #include "filters/report/folder.h"
+#include "frame/joined.h"
 
 namespace zproof {
 
@@ -56,9 +57,7 @@ void EvidenceFiles::begin(const study::ViewEvidence& known) {
     for (std::size_t i = 0; i < reals.size(); ++i) planes.push_back({names[i], &reals[i]});
     planes.push_back({"region", &regions});
     FileFacts facts = facts_;
-    std::string list;
-    for (const study::Region& region : known.regions) list += (list.empty() ? "" : ", ") + region.name;
-    facts.emplace_back("zproof:regions", list);
+    facts.emplace_back("zproof:regions", joined(known.regions, ", ", &study::Region::name));
     write_planes(folder_ / "surface.exr", planes, facts);
 }
 

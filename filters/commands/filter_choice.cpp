@@ -9,6 +9,7 @@
 
 #include "filters/commands/level_files.h"
 #include "filters/methods/catalogue.h"
+#include "frame/joined.h"
 #include "program/nearest_word.h"
 #include "program/usage_error.h"
 
@@ -109,10 +110,8 @@ const texture::Method& method_called(const std::string& name) {
     std::vector<std::string> names;
     for (const texture::Method& method : texture::methods()) names.push_back(method.name);
     for (const study::OtherSampler& other : study::other_samplers()) names.push_back(other.method.name);
-    std::string list;
-    for (const std::string& known : names) list += (list.empty() ? "" : ", ") + known;
     throw UsageError{"filter '" + name + "': no such method" + did_you_mean(name, names) +
-                     " (known: " + list + ")"};
+                     " (known: " + joined(names) + ")"};
 }
 
 void apply(Texturing& texturing, const std::string& part, const std::string& word) {

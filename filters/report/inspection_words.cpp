@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "frame/joined.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -137,10 +138,7 @@ std::string why(const PixelInspection& one) {
     if (!one.exact) return begin + "not told, since the truth is sampled there";
     if (one.exact->wraps) return begin + "not told, since the pixel covers more than the texture";
     if (one.findings.empty()) return begin + "none of blur, alias and shift";
-    std::string text;
-    for (const WeightFinding& finding : one.findings)
-        text += (text.empty() ? "" : "; ") + one_finding(finding);
-    return begin + text;
+    return begin + joined(one.findings, "; ", one_finding);
 }
 
 std::string in_a_line(const PixelInspection& one) {

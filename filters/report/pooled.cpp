@@ -6,6 +6,7 @@
 
 #include "filters/report/provenance.h"
 #include "filters/study/claims.h"
+#include "frame/joined.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -127,17 +128,12 @@ TableCells pooled_cells(const StudyResults& results, const PooledScores& pool) {
 }
 
 std::vector<std::string> left_out_in_words(const PooledScores& pool) {
-    const auto listed = [](const std::vector<std::string>& names) {
-        std::string list;
-        for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-        return list;
-    };
     std::vector<std::string> lines;
     if (!pool.left_out.empty())
-        lines.push_back("Left out, since they have no number in some view: " + listed(pool.left_out) + ".");
+        lines.push_back("Left out, since they have no number in some view: " + joined(pool.left_out) + ".");
     if (!pool.textures_left_out.empty())
         lines.push_back(
-            "Left out, since a method is without error on them: " + listed(pool.textures_left_out) + ".");
+            "Left out, since a method is without error on them: " + joined(pool.textures_left_out) + ".");
     return lines;
 }
 

@@ -5,6 +5,7 @@
 #include "filters/report/provenance.h"
 #include "filters/report/table_cells.h"
 #include "filters/study/claims.h"
+#include "frame/joined.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -30,9 +31,8 @@ std::string latex_safe(const std::string& text) {
 }
 
 std::string latex_row(const std::vector<std::string>& cells) {
-    std::string text;
-    for (const std::string& cell : cells) text += (text.empty() ? "" : " & ") + latex_safe(one_line(cell));
-    return text + " \\\\\n";
+    return joined(cells, " & ", [](const std::string& cell) { return latex_safe(one_line(cell)); }) +
+           " \\\\\n";
 }
 
 /// The columns of one row but the metric and its value.

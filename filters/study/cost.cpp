@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "frame/joined.h"
 #include "rasterizer/textured_surface.h"
 #include "rasterizer/wrap_mode.h"
 
@@ -109,9 +110,7 @@ std::string sizes_of(const SourceTextures& textures) {
             std::to_string(source->image.width) + " x " + std::to_string(source->image.height);
         if (std::ranges::find(sizes, size) == sizes.end()) sizes.push_back(size);
     }
-    std::string text;
-    for (const std::string& size : sizes) text += (text.empty() ? "" : ", ") + size;
-    return text;
+    return joined(sizes);
 }
 
 Cost cost_of(const rasterizer::Texturing& texturing, const SourceTextures& textures,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "frame/joined.h"
 #include "reports/pages/error_colours.h"
 #include "reports/wording.h"
 
@@ -23,12 +24,6 @@ bool is_charted(const Format& format) {
 
 std::string power_of_ten(double value) { return "1e" + std::to_string(int(std::lround(std::log10(value)))); }
 
-std::string joined(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    return text.empty() ? "none" : text;
-}
-
 Table choice_table(const std::vector<Choice>& choices) {
     Table table{.name = "choice",
                 .caption =
@@ -39,7 +34,7 @@ Table choice_table(const std::vector<Choice>& choices) {
     for (const Choice& choice : choices) {
         if (table.rows.empty() || std::get<std::string>(table.rows.back()[0]) != power_of_ten(choice.ratio))
             table.rows.emplace_back().emplace_back(power_of_ten(choice.ratio));
-        table.rows.back().emplace_back(joined(choice.names));
+        table.rows.back().emplace_back(choice.names.empty() ? "none" : joined(choice.names));
         const std::string gap = "gap " + shortest(choice.gap_of_far);
         if (table.rows.size() == 1) table.columns.push_back({gap, "of far", ""});
     }

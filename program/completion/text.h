@@ -5,11 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "frame/joined.h"
 #include "program/command_line/outline.h"
 
 namespace zproof {
-
-std::string joined(const std::vector<std::string>& words, const std::string& between);
 
 std::string replaced(std::string text, const std::string& from, const std::string& to);
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <sstream>
 
+#include "frame/joined.h"
 #include "program/nearest_word.h"
 #include "program/toml/reader.h"
 #include "program/usage_error.h"
@@ -46,12 +47,6 @@ std::vector<std::string> texts_of(const TomlReader& table, const TomlValue& valu
     return texts;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
-    return text;
-}
-
 /// A wrong number is refused here, where file and line can be named together with what is right.
 std::string number_of(const TomlReader& table, const Setting& setting, const TomlValue& value) {
     const auto* whole = std::get_if<std::int64_t>(&value.is);
@@ -82,7 +77,7 @@ std::vector<std::string> words_of(const TomlReader& table, const Setting& settin
             if (const bool* truth = std::get_if<bool>(&value.is)) return {*truth ? "true" : "false"};
             table.refuse(value, setting.name + ": expected true or false, found " + kind_of(value));
         case Setting::Kind::list:
-            return {joined(texts_of(table, value, setting.name))};
+            return {joined(texts_of(table, value, setting.name), ",")};
         case Setting::Kind::path:
             return {beside(table.file(), table.text_of(value, setting.name))};
         case Setting::Kind::paths: {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "frame/joined.h"
 #include "program/nearest_word.h"
 #include "program/usage_error.h"
 
@@ -45,9 +46,8 @@ Day TomlReader::day(const std::string& key) const {
 void TomlReader::allow_only(std::span<const std::string> keys) const {
     for (const auto& [key, value] : entries())
         if (std::ranges::count(keys, key) == 0) {
-            std::string list;
-            for (const std::string& known : keys) list += (list.empty() ? "" : ", ") + known;
-            refuse(value, "unknown key '" + key + "'" + did_you_mean(key, keys) + " (known: " + list + ")");
+            refuse(value,
+                   "unknown key '" + key + "'" + did_you_mean(key, keys) + " (known: " + joined(keys) + ")");
         }
 }
 

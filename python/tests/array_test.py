@@ -209,9 +209,13 @@ class Tensor:
 
     def __dlpack__(self, **keys):
         capsule = self._array.__dlpack__(**keys)
-        pointer = ctypes.pythonapi.PyCapsule_GetPointer
+        name_of, pointer = ctypes.pythonapi.PyCapsule_GetName, ctypes.pythonapi.PyCapsule_GetPointer
+        name_of.restype, name_of.argtypes = ctypes.c_char_p, [ctypes.py_object]
         pointer.restype, pointer.argtypes = ctypes.c_void_p, [ctypes.py_object, ctypes.c_char_p]
-        device = pointer(capsule, b"dltensor") + ctypes.sizeof(ctypes.c_void_p)  # of DLTensor, behind `data`
+        name = name_of(capsule)
+        # numpy 2 asks for DLPack 1.0, where version, context, deleter and flags stand before DLTensor.
+        before = {b"dltensor": 0, b"dltensor_versioned": 32}[name]
+        device = pointer(capsule, name) + before + ctypes.sizeof(ctypes.c_void_p)  # behind `data`
         ctypes.c_int32.from_address(device).value = self._device_type
         return capsule
 

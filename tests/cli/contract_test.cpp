@@ -21,7 +21,8 @@ Ran checked(const Folder& folder, const std::string& command) {
 
 TEST(Contract, ThePythonExampleIsProvenOnThreeScenes) {
     const Folder folder;
-    const Ran ran = checked(folder, "python3 '" + source + "/examples/zbuffer.py' {scene} {camera} {out}");
+    const Ran ran = checked(
+        folder, "python3 '" + source + "/examples/zbuffer.py' {scene} {camera} {width} {height} {out}");
     EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
     for (const char* scene : {"room/", "off_axis/", "oblique/"})
         EXPECT_NE(ran.out.find(scene), std::string::npos) << ran.out;
@@ -32,7 +33,7 @@ TEST(Contract, TheCppExampleIsProvenInBothProjections) {
     const Folder folder;
     const Ran ran = run(folder, {"run", "guard_band", "oblique", "--width", "40", "--height", "24",
                                  "--oracle", "none", "--precision", "ray,arithmetic=float64", "--renderer",
-                                 "'" ZPROOF_CASTER "' {scene} {camera} {out}"});
+                                 "'" ZPROOF_CASTER "' {scene} {camera} {width} {height} {out}"});
     EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
 }
 
