@@ -164,6 +164,18 @@ void trace_tile(const CoherentRays& scene, const BlockRays& rays, const Block& t
     }
 }
 
+/// Embree says how many rays it traces at once, not what with.
+std::string instruction_set_of(RTCDevice device) {
+    const bool eight = rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED);
+#ifdef __x86_64__
+    if (rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED)) return "AVX-512";
+    if (eight) return __builtin_cpu_supports("avx2") ? "AVX2" : "AVX";
+    return "SSE";
+#else
+    return eight ? "NEON2X" : "NEON";
+#endif
+}
+
 }  // namespace
 
 struct Embree::Device {
@@ -240,11 +252,7 @@ std::string embree_version() {
     const std::string version = std::to_string(property(RTC_DEVICE_PROPERTY_VERSION_MAJOR)) + "." +
                                 std::to_string(property(RTC_DEVICE_PROPERTY_VERSION_MINOR)) + "." +
                                 std::to_string(property(RTC_DEVICE_PROPERTY_VERSION_PATCH));
-    if (property(RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED)) return "Embree " + version + " (AVX-512)";
-    if (property(RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED)) {
-        return "Embree " + version + (__builtin_cpu_supports("avx2") ? " (AVX2)" : " (AVX)");
-    }
-    return "Embree " + version + " (SSE)";
+    return "Embree " + version + " (" + instruction_set_of(device.get()) + ")";
 }
 
 }  // namespace zproof::oracle

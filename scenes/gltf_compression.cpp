@@ -200,6 +200,7 @@ class Decompression {
             index = add_accessor(tinygltf::Accessor(accessor(index)), std::move(decoded.attributes[i++]));
         }
         tinygltf::Accessor indices;
+        indices.sparse = {};  // whose numbers tinygltf leaves unset
         indices.type = TINYGLTF_TYPE_SCALAR;
         indices.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
         indices.count = decoded.indices.size();

@@ -242,7 +242,8 @@ TEST(Embree, OneBuildServesManyViews) {
 
 TEST(Embree, VersionNamesReleaseAndInstructionSet) {
     EXPECT_THAT(embree_version(),
-                testing::MatchesRegex("Embree (3\\.13|4\\.[0-9]+)\\.[0-9]+ \\((AVX-512|AVX2|AVX|SSE)\\)"));
+                testing::MatchesRegex(
+                    "Embree (3\\.13|4\\.[0-9]+)\\.[0-9]+ \\((AVX-512|AVX2|AVX|SSE|NEON|NEON2X)\\)"));
 }
 
 TEST(Embree, PromisesFloat32Rays) {
