@@ -1,7 +1,7 @@
 // Every ray against every triangle, in float64: a renderer by the contract (docs/renderer-contract.md).
 //
 //   g++ -O2 -std=c++17 -o caster caster.cpp
-//   zproof contract-check './caster {scene} {camera} {width} {height} {out}' --precision ray,arithmetic=float64
+//   zproof contract-check './caster {scene} {camera} {out}' --precision ray,arithmetic=float64
 #include "zproof_contract.h"
 
 namespace zc = zproof_contract;

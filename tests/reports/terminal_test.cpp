@@ -53,10 +53,10 @@ TEST(Terminal, TellsTheLikelyCause) {
     EXPECT_NE(summary_table(results, Colour::plain).find("; as good: only 4 sub-pixel bits;"),
               std::string::npos);
     results.views[1].diagnosis->cause.reset();
-    EXPECT_NE(
-        summary_table(results, Colour::plain)
-            .find("    no cause is certain; at best, only 4 sub-pixel bits (would explain 50.0% of 2 defects)\n"),
-        std::string::npos);
+    EXPECT_NE(summary_table(results, Colour::plain)
+                  .find("    no cause is certain; at best, only 4 sub-pixel bits (would explain 50.0% of 2 "
+                        "defects)\n"),
+              std::string::npos);
 }
 
 TEST(Terminal, TellsHowManyDefectsWereTried) {
