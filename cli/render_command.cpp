@@ -84,9 +84,12 @@ ExitCode execute(const RenderArguments& arguments) {
             write_colours(stem.string() + "-colour", rasterizer::shade(loaded.scene, view, frame, Light{}));
         }
     });
-    if (!arguments.filter.empty() && !interrupted())
-        require_done(status_of(*companion_named("filters"), filtered_words(arguments, out.working())));
-    const bool all_written = written.size() == views.size();
+    bool all_written = written.size() == views.size();
+    if (!arguments.filter.empty() && all_written) {
+        const int status = status_of(*companion_named("filters"), filtered_words(arguments, out.working()));
+        all_written = !interrupted();  // the signal was the filter's, too
+        if (all_written) require_done(status);
+    }
     const std::filesystem::path place =
         publish(out, arguments.common, all_written ? Completeness::full : Completeness::partial);
     if (arguments.common.is_quiet()) progress.say(std::cout, place.string() + "\n");

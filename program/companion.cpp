@@ -35,6 +35,13 @@ fs::path required(const Companion& companion) {
     return *program;
 }
 
+template <class Words>
+std::vector<std::string> line_of(const fs::path& program, const Words& words) {
+    std::vector<std::string> line{program.string()};
+    line.insert(line.end(), words.begin(), words.end());
+    return line;
+}
+
 std::vector<char*> argv_of(const std::vector<std::string>& words) {
     std::vector<char*> argv;
     for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
@@ -64,19 +71,17 @@ std::optional<fs::path> program_of(const Companion& companion) {
 
 void become(const Companion& companion, std::span<const char* const> words) {
     const fs::path program = required(companion);
-    std::vector<std::string> typed{program.string()};
-    typed.insert(typed.end(), words.begin(), words.end());
-    execv(program.c_str(), argv_of(typed).data());
+    const std::vector<std::string> line = line_of(program, words);
+    execv(program.c_str(), argv_of(line).data());
     refuse(program, errno);
 }
 
 int status_of(const Companion& companion, const std::vector<std::string>& words) {
     const fs::path program = required(companion);
-    std::vector<std::string> typed{program.string()};
-    typed.insert(typed.end(), words.begin(), words.end());
+    const std::vector<std::string> line = line_of(program, words);
     pid_t child = 0;
     if (const int error =
-            posix_spawn(&child, program.c_str(), nullptr, nullptr, argv_of(typed).data(), environ))
+            posix_spawn(&child, program.c_str(), nullptr, nullptr, argv_of(line).data(), environ))
         refuse(program, error);
     int status = 0;
     while (waitpid(child, &status, 0) < 0)

@@ -267,10 +267,6 @@ std::vector<PictureChoice> chosen_pictures(const FiltersWords& words) {
     return pictures;
 }
 
-}  // namespace
-
-namespace {
-
 /// Both must outlive the parsing.
 void add_commands(CLI::App& app, FiltersWords& words) {
     add_run(*app.add_subcommand("run", "hold methods to the truth on scenes; write a study"), words);
