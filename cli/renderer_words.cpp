@@ -76,15 +76,18 @@ void refuse_convention_of_built_in(const RendererChoice& choice) {
 /// --convention and --channels, or the same of the reference.
 void add_convention(CLI::App& app, const std::string& prefix, ConventionWords& words) {
     app.add_option(prefix + "convention", words.convention,
-                   "how frames are to be read: a preset such as pytorch3d, KEY=VALUE,... or a JSON file");
-    app.add_option(prefix + "channels", words.channels, "their channels: id=NAME,depth=NAME");
+                   "how frames are to be read: a preset such as pytorch3d, KEY=VALUE,... or a JSON file")
+        ->type_name("CONVENTION");
+    app.add_option(prefix + "channels", words.channels, "their channels: id=NAME,depth=NAME")
+        ->type_name("CHANNELS");
 }
 
 }  // namespace
 
 void add_precision_options(CLI::App& app, RendererWords& words) {
     app.add_option("--precision", words.precision,
-                   "what the renderer promises: a JSON file, or e.g. raster,subpixel_bits=4");
+                   "what the renderer promises: a JSON file, or e.g. raster,subpixel_bits=4")
+        ->type_name("PROMISE");
     app.add_option("--time-limit", words.time_limit_s,
                    "seconds for a picture of a renderer that is a program")
         ->check(CLI::Range(1, 86400))
@@ -96,6 +99,7 @@ void add_renderer_options(CLI::App& app, RendererWords& words) {
     app.add_option(
            "--renderer", words.renderer,
            "who is judged: zproof, embree, opengl, povray, or 'CMD {scene} {camera} {width} {height} {out}'")
+        ->type_name("RENDERER")
         ->capture_default_str();
     add_precision_options(app, words);
     add_keep_input(app, words);
@@ -103,7 +107,8 @@ void add_renderer_options(CLI::App& app, RendererWords& words) {
 
 void add_keep_input(CLI::App& app, RendererWords& words) {
     app.add_option("--keep-input", words.keep_input,
-                   "folder for the scenes and cameras that a renderer that is a program is handed");
+                   "folder for the scenes and cameras that a renderer that is a program is handed")
+        ->type_name("FOLDER");
 }
 
 void add_ids_option(CLI::App& app, RendererWords& words) {
@@ -111,6 +116,7 @@ void add_ids_option(CLI::App& app, RendererWords& words) {
            "--ids", words.ids,
            "what the ids of the frame that is judged stand for: triangle, none (depth alone), primitive, "
            "node, material, cryptomatte-object, cryptomatte-material, or a JSON file of labels")
+        ->type_name("IDS")
         ->capture_default_str();
 }
 
@@ -122,16 +128,19 @@ void add_stored_frame_options(CLI::App& app, RendererWords& words) {
 
 void add_reference_words(CLI::App& app, RendererWords& words) {
     app.add_option("--reference-precision", words.reference_precision,
-                   "what the renderer of a stored reference promises");
+                   "what the renderer of a stored reference promises")
+        ->type_name("PROMISE");
     add_convention(app, "--reference-", words.reference_convention);
 }
 
 void add_oracle_options(CLI::App& app, RendererWords& words) {
     app.add_option("--oracle", words.oracles,
                    "oracles beside Embree, each judged as well: povray,opengl; or none")
+        ->type_name("ORACLES")
         ->delimiter(',')
         ->allow_extra_args(false);  // the next word is a scene
     app.add_option("--require", words.required, "oracles without which nothing is proven")
+        ->type_name("RENDERERS")
         ->delimiter(',')
         ->allow_extra_args(false);
 }

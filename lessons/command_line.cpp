@@ -34,7 +34,7 @@ Candidates scenes(const std::string&) {
     return candidates;
 }
 
-constexpr std::array meanings{NameMeaning{"SCENE", scenes}};
+constexpr std::array kinds{ValueKind{"SCENE", scenes}};
 
 void add_common(CLI::App& app, const Study& study, StudyArguments& arguments) {
     app.add_option("SCENE", arguments.scenes,
@@ -44,6 +44,7 @@ void add_common(CLI::App& app, const Study& study, StudyArguments& arguments) {
     add_progress(app, arguments.common);
     app.add_option("--view", arguments.views,
                    "names of views, separated by commas; default: all of every scene")
+        ->type_name("VIEW")
         ->delimiter(',');
     app.add_option("--width", arguments.width,
                    "pixels; default " + std::to_string(study.resolution.width) + "; view files state theirs")
@@ -81,7 +82,7 @@ Command parse_study(int argc, const char* const* argv, const Environment& enviro
     std::vector<std::string> typed{argv + 1, argv + argc};
     typed.insert(typed.begin(), "study");
     arguments.typed = shell_line(typed);
-    CompanionTree tree{"study", examples, meanings};
+    CompanionTree tree{"study", examples, kinds};
     add_study(tree.root(), arguments);
     if (auto answer = tree.answer(argc, argv)) return *answer;
     take_settings(tree.root(), {}, environment);

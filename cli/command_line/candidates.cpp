@@ -6,7 +6,6 @@
 
 #include "cli/renderers/registry.h"
 #include "cli/report_files.h"
-#include "compare/pixel_class.h"
 #include "frame/convention_text.h"
 #include "scenes/suite.h"
 #include "scenes/triangle_labels.h"
@@ -20,12 +19,6 @@ Words suite_names() {
     Words names;
     for (const SuiteEntry& entry : suite_manifest()) names.push_back(entry.name);
     for (const SuiteEntry& entry : thorough_manifest()) names.push_back(entry.name);
-    return names;
-}
-
-Words class_names() {
-    Words names;
-    for (int c = 0; c < pixel_class_count; ++c) names.emplace_back(name_of(PixelClass(c)));
     return names;
 }
 
@@ -52,53 +45,31 @@ Candidates promises(const std::string&) {
 
 Candidates conventions(const std::string&) { return {convention_names(), Paths::files, Listing::single}; }
 
-constexpr std::array meanings{
-    NameMeaning{"SCENE", scenes},
-    NameMeaning{"--scene", scenes},
-    NameMeaning{"NAME", [](const std::string&) { return Candidates{suite_names()}; }},
-    NameMeaning{"RENDERER", [](const std::string&) { return Candidates{renderer_names()}; }},
-    NameMeaning{"--renderer", [](const std::string&) { return Candidates{renderer_names()}; }},
-    NameMeaning{"--oracle",
-                [](const std::string&) {
-                    return Candidates{with({"none"}, renderer_names()), Paths::none, Listing::by_comma};
-                }},
-    NameMeaning{"--require",
-                [](const std::string&) {
-                    return Candidates{renderer_names(), Paths::none, Listing::by_comma};
-                }},
-    NameMeaning{"--report",
-                [](const std::string&) {
-                    return Candidates{format_names(), Paths::none, Listing::by_comma};
-                }},
-    NameMeaning{"--format", [](const std::string&) { return Candidates{format_names()}; }},
-    NameMeaning{"--class", [](const std::string&) { return Candidates{class_names()}; }},
-    NameMeaning{"--precision", promises},
-    NameMeaning{"--reference-precision", promises},
-    NameMeaning{"--ids",
-                [](const std::string&) {
-                    return Candidates{label_words(), Paths::files, Listing::single};
-                }},
-    NameMeaning{"--sample",
-                [](const std::string&) {
-                    return Candidates{{"standard:2", "standard:4", "standard:8", "standard:16"}};
-                }},
-    NameMeaning{"--convention", conventions},
-    NameMeaning{"--reference-convention", conventions},
-    NameMeaning{"--filter", [](const std::string&) { return Candidates{}; }},
-    NameMeaning{"--channels", [](const std::string&) { return Candidates{}; }},
-    NameMeaning{"--reference-channels", [](const std::string&) { return Candidates{}; }},
-    NameMeaning{"--models",
-                [](const std::string&) {
-                    return Candidates{{}, Paths::folders};
-                }},
-    NameMeaning{"--keep-input",
-                [](const std::string&) {
-                    return Candidates{{}, Paths::folders};
-                }},
+/// With commas between them.
+Candidates several(Words words) { return {std::move(words), Paths::none, Listing::by_comma}; }
+
+constexpr std::array kinds{
+    ValueKind{"SCENE", scenes},
+    ValueKind{"NAME", [](const std::string&) { return Candidates{suite_names()}; }},
+    ValueKind{"RENDERER", [](const std::string&) { return Candidates{renderer_names()}; }},
+    ValueKind{"RENDERERS", [](const std::string&) { return several(renderer_names()); }},
+    ValueKind{"ORACLES", [](const std::string&) { return several(with({"none"}, renderer_names())); }},
+    ValueKind{"FORMAT", [](const std::string&) { return Candidates{format_names()}; }},
+    ValueKind{"FORMATS", [](const std::string&) { return several(format_names()); }},
+    ValueKind{"PROMISE", promises},
+    ValueKind{"IDS",
+              [](const std::string&) {
+                  return Candidates{label_words(), Paths::files};
+              }},
+    ValueKind{"CONVENTION", conventions},
+    ValueKind{"SAMPLE",
+              [](const std::string&) {
+                  return Candidates{{"standard:2", "standard:4", "standard:8", "standard:16"}};
+              }},
 };
 
 }  // namespace
 
-NameMeanings meanings_of_names() { return meanings; }
+ValueKinds value_kinds() { return kinds; }
 
 }  // namespace zproof

@@ -55,9 +55,10 @@ void add_waive_add(CLI::App& waive, CommandWords& words) {
     add_common(app, add.common, waivers_made);
     add_waiver_file(app, add.gate);
     app.add_option("--from", add.results, "results.json of the run, its evidence beside it")->required();
-    app.add_option("--scene", add.scene, "as the results call it")->required();
-    app.add_option("--view", add.view, "needed where the scene has several");
+    app.add_option("--scene", add.scene, "as the results call it")->type_name("SCENE")->required();
+    app.add_option("--view", add.view, "needed where the scene has several")->type_name("VIEW");
     app.add_option("--pixel", add.pixels, "X,Y; more for more pixels of the same class")
+        ->type_name("PIXEL")
         ->required()
         ->allow_extra_args(false);
     add_choice(app, "--reach", add.reach, reaches)
@@ -107,8 +108,9 @@ Branch add_report_again(CLI::App& parent, CommandWords& words) {
         ->required();
     add_common(app, again.common, "file: .html, .json, .xml, .md or .csv; or - for stdout");
     app.add_option_function<std::string>(
-        "--format", [&again](const std::string& word) { again.format = format_from(word); },
-        "html, json, junit, md, github or csv; default: by the file's name");
+           "--format", [&again](const std::string& word) { again.format = format_from(word); },
+           "html, json, junit, md, github or csv; default: by the file's name")
+        ->type_name("FORMAT");
     app.footer(report_remark);
     return {&app, [&words] { return command_of(words.report_again, "cannot report"); }};
 }

@@ -34,12 +34,13 @@ void add_frames(CLI::App& app, CompareArguments& compare, RendererWords& words) 
         app.add_option("SCENE", compare.scene, std::string{scene_words} + "; with --scene: a frame");
     other->required();
     app.add_option_function<std::string>(
-        "--scene",
-        [&compare, &words, other](const std::string& scene) {
-            words.reference = other->as<std::string>();
-            compare.scene = scene;
-        },
-        "the scene, where both words are frames");
+           "--scene",
+           [&compare, &words, other](const std::string& scene) {
+               words.reference = other->as<std::string>();
+               compare.scene = scene;
+           },
+           "the scene, where both words are frames")
+        ->type_name("SCENE");
 }
 
 /// Excluding one another, and a resolution of the caller's own.
@@ -90,15 +91,20 @@ void add_run_words(CLI::App& app, CommandWords& words) {
 
 void add_shard(CLI::App& app, CommandWords& words) {
     RunArguments& run = words.run;
-    app.add_option("--plan", run.plan, "judge a shard of this plan (zproof plan), which states all the rest");
+    app.add_option("--plan", run.plan, "judge a shard of this plan (zproof plan), which states all the rest")
+        ->group(machine_options);
     app.add_option("--shard", words.shard,
                    "the share of the views to judge: K of a plan, hash:K/N without one, or auto: the "
-                   "environment says which (zproof merge puts shards together)");
+                   "environment says which (zproof merge puts shards together)")
+        ->group(machine_options);
     auto* empty = add_choice(app, "--empty-shard", run.shard_status, empty_shards);
-    empty->default_str("nothing")->description("a shard without views ends with 4 (nothing), or with 0 (ok)");
+    empty->default_str("nothing")
+        ->description("a shard without views ends with 4 (nothing), or with 0 (ok)")
+        ->group(machine_options);
     app.add_flag_callback(
            "--exit-zero", [&run] { run.shard_status = ShardStatus::ok_where_written; },
            "of a shard: end with 0 once its results are written, since merged ones tell the verdict")
+        ->group(machine_options)
         ->excludes(empty);
 }
 
@@ -130,20 +136,27 @@ Branch add_plan(CLI::App& parent, CommandWords& words) {
     PlanArguments& plan = words.plan;
     add_run_words(app, words);
     add_common(app, plan.common, "the plan");
-    app.add_option("--of", plan.shards, "how many shards")->required()->check(CLI::Range(1, most_shards));
+    app.add_option("--of", plan.shards, "how many shards")
+        ->required()
+        ->check(CLI::Range(1, most_shards))
+        ->group(plan_options);
     app.add_option("--from", plan.earlier,
                    "results of an earlier run, which tell how long each view takes; several: of other "
                    "renderers or scenes")
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->group(plan_options);
     add_choice(app, "--format", plan.format, plan_formats)
         ->default_str("lines")
-        ->description("how the shards' commands are printed");
+        ->description("how the shards' commands are printed")
+        ->group(plan_options);
     app.add_option("--config", words.settings.file,
-                   "settings file; default: zproof.toml, where it is; or none");
+                   "settings file; default: zproof.toml, where it is; or none")
+        ->group(machine_options);
     app.add_option(
            "--profile", words.plan_profiles,
            "the table [profiles.NAME] of the settings file; several: a run of each, one renderer each")
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->group(machine_options);
     app.footer(plan_remark);
     return {&app, [&words] { return command_of(words.plan, "cannot plan"); }};
 }
@@ -152,7 +165,8 @@ Branch add_compare(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("compare", "judge frames that were rendered elsewhere");
     add_frames(app, words.compare, words.renderers);
     add_models(app, words.compare.models);
-    app.add_option("--view", words.compare.view, "name of the view; needed where the scene has several");
+    app.add_option("--view", words.compare.view, "name of the view; needed where the scene has several")
+        ->type_name("VIEW");
     add_precision_options(app, words.renderers);
     add_ids_option(app, words.renderers);
     add_reference_words(app, words.renderers);
@@ -178,7 +192,7 @@ Branch add_explain(CLI::App& parent, CommandWords& words) {
     app.add_option("Y", explain.y, "pixel row, 0 = top")->required()->check(CLI::Range(0, 32767));
     add_common(app, explain.common);
     add_models(app, explain.models);
-    app.add_option("--view", explain.view, "name of the view; default: the scene's first");
+    app.add_option("--view", explain.view, "name of the view; default: the scene's first")->type_name("VIEW");
     add_renderer_options(app, words.renderers);
     add_ids_option(app, words.renderers);
     add_stored_frame_options(app, words.renderers);

@@ -23,6 +23,7 @@ std::array<CLI::Option*, 2> add_random_choice(CLI::App& app, RandomChoice& rando
 
 void add_models(CLI::App& app, std::filesystem::path& models) {
     app.add_option("--models", models, "folder beneath which the models of view files may lie")
+        ->type_name("FOLDER")
         ->check(CLI::ExistingDirectory);
 }
 
@@ -38,14 +39,15 @@ void add_render_settings(CLI::App& app, RenderSettings& settings) {
 
 void add_samples(CLI::App& app, RenderSettings& settings) {
     app.add_option_function<std::string>(
-        "--sample",
-        [&settings](const std::string& word) {
-            settings.samples = samples_from_word(word);
-            settings.sample_word = word;
-        },
-        "where pixels are sampled: DX,DY from their centres, standard:COUNT (each sample of that pattern), "
-        "or "
-        "standard:COUNT:INDEX");
+           "--sample",
+           [&settings](const std::string& word) {
+               settings.samples = samples_from_word(word);
+               settings.sample_word = word;
+           },
+           "where pixels are sampled: DX,DY from their centres, standard:COUNT (each sample of that "
+           "pattern), "
+           "or standard:COUNT:INDEX")
+        ->type_name("SAMPLE");
 }
 
 void add_report(CLI::App& app, ReportArguments& report) {
@@ -53,6 +55,7 @@ void add_report(CLI::App& app, ReportArguments& report) {
     add_progress(app, report.common);
     app.add_flag_callback(
            "--times", [&report] { report.common.detail = Detail::times; }, "also print where the time went")
+        ->group(machine_options)
         ->excludes(app.get_option("--quiet"));
     app.add_option_function<std::vector<std::string>>(
            "--report",
@@ -61,9 +64,11 @@ void add_report(CLI::App& app, ReportArguments& report) {
                for (const std::string& word : words) report.formats.push_back(format_from(word));
            },
            "html, json, junit, md, github, csv; results.json is always written")
+        ->type_name("FORMATS")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->default_str("html,json,junit");
+        ->default_str("html,json,junit")
+        ->group(machine_options);
 }
 
 void add_evidence(CLI::App& app, ReportArguments& report) {
@@ -99,17 +104,21 @@ void add_gate(CLI::App& app, GateArguments& gate) {
 void add_reference_cache(CLI::App& app, oracle::ReferenceCacheChoice& choice) {
     auto* folder = app.add_option("--reference-cache", choice.folder,
                                   "folder where Embree's frames are kept for other runs; many may share it")
-                       ->type_name("FOLDER");
+                       ->type_name("FOLDER")
+                       ->group(machine_options);
     app.add_option("--reference-cache-size", choice.most_bytes,
                    "the most that it may hold, such as 500MB; what was not used the longest goes")
         ->transform(CLI::AsSizeValue(false))
         ->default_str("10GB")
+        ->group(machine_options)
         ->needs(folder);
 }
 
 void add_settings_choice(CLI::App& app, SettingsChoice& settings) {
-    app.add_option("--config", settings.file, "settings file; default: zproof.toml, where it is; or none");
-    app.add_option("--profile", settings.profile, "the table [profiles.NAME] of the settings file");
+    app.add_option("--config", settings.file, "settings file; default: zproof.toml, where it is; or none")
+        ->group(machine_options);
+    app.add_option("--profile", settings.profile, "the table [profiles.NAME] of the settings file")
+        ->group(machine_options);
 }
 
 }  // namespace zproof

@@ -40,7 +40,8 @@ Branch add_render(CLI::App& parent, CommandWords& words) {
     add_common(app, words.render.common, "folder for the frames");
     add_renderer_options(app, words.renderers);
     app.add_option("--filter", words.renderers.filter,
-                   "also write textures as this method reads them: NAME[:key=value]...");
+                   "also write textures as this method reads them: NAME[:key=value]...")
+        ->type_name("METHOD");
     app.add_flag("--attributes", words.render.attributes,
                  "also write barycentrics, uv, normals and positions, as our rasterizer interpolates them");
     add_render_settings(app, words.render.settings);
@@ -81,10 +82,11 @@ Branch add_fit(CLI::App& parent, CommandWords& words) {
     FitArguments& fit = words.fit;
     app.add_option("SCENE", fit.scenes,
                    std::string{"'suite', a folder, or a "} + scene_words + "; none: the whole suite");
-    app.add_option("--view", fit.view, "name of the view; default: all");
+    app.add_option("--view", fit.view, "name of the view; default: all")->type_name("VIEW");
     app.add_option(
            "--renderer", words.renderers.renderer,
            "whose frames: zproof, embree, opengl, povray, or 'CMD {scene} {camera} {width} {height} {out}'")
+        ->type_name("RENDERER")
         ->capture_default_str();
     app.add_option("--time-limit", words.renderers.time_limit_s,
                    "seconds for a picture of a renderer that is a program")

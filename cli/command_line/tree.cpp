@@ -54,7 +54,7 @@ CommandTree::~CommandTree() = default;
 Command CommandTree::chosen() const { return zproof::chosen(branches_, "zproof run"); }
 
 OutlineCommand whole_outline(const CLI::App& root) {
-    OutlineCommand outline = outline_of(root, meanings_of_names(), examples());
+    OutlineCommand outline = outline_of(root, value_kinds(), examples());
     for (OutlineCommand& command : outline.commands)
         if (const Companion* companion = companion_named(command.path)) command = outline_of(*companion);
     return outline;

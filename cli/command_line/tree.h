@@ -33,7 +33,7 @@ class CommandTree {
 Examples examples();
 
 /// What names of options stand for, for completion.
-NameMeanings meanings_of_names();
+ValueKinds value_kinds();
 
 /// Everything that zproof can parse, with the commands of the programs beside it.
 OutlineCommand whole_outline(const CLI::App& root);

@@ -1,8 +1,6 @@
 #include "cli/plan/explicit_words.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
 
 #include "cli/gate/gate.h"
 #include "program/settings/apply.h"
@@ -11,10 +9,9 @@
 namespace zproof {
 namespace {
 
-constexpr std::array plan_options{"--of", "--from", "--format"};
-
-bool is_among(const auto& options, const std::string& name) {
-    return std::ranges::find(options, name) != options.end();
+/// It bears on the judgement: neither of the machine nor of the plan.
+bool is_stated(const CLI::Option& option) {
+    return !is_of_the_machine(option) && option.get_group() != plan_options;
 }
 
 bool is_flag(const CLI::Option& option) { return option.get_expected_max() == 0; }
@@ -31,10 +28,8 @@ void type_out(const CLI::Option& option, std::vector<std::string>& words) {
 
 std::vector<std::string> explicit_run_words(const CLI::App& app) {
     std::vector<std::string> words{"run"};
-    for (const CLI::Option* option : app.get_options()) {
-        const std::string name = option->get_name();
-        if (!is_of_the_machine(name) && !is_among(plan_options, name)) type_out(*option, words);
-    }
+    for (const CLI::Option* option : app.get_options())
+        if (is_stated(*option)) type_out(*option, words);
     if (app.get_option("--now")->count() == 0) words.push_back("--now=" + in_words(this_day()));
     words.emplace_back("--config=none");
     return words;
@@ -42,7 +37,7 @@ std::vector<std::string> explicit_run_words(const CLI::App& app) {
 
 void require_machine_words(const CLI::App& run) {
     for (const CLI::Option* option : run.get_options())
-        if (option->count() > 0 && !is_of_the_machine(option->get_name()))
+        if (option->count() > 0 && !is_of_the_machine(*option))
             throw UsageError{option->get_name() + ": the plan states it; leave it out, or make another plan"};
 }
 

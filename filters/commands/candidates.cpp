@@ -48,12 +48,12 @@ Candidates regions(const std::string&) {
     return candidates;
 }
 
-constexpr std::array meanings{NameMeaning{"SCENE", scenes},      NameMeaning{"NAME", scene_names},
-                              NameMeaning{"--methods", methods}, NameMeaning{"METHODS", methods},
-                              NameMeaning{"--region", regions},  NameMeaning{"--precision", presets}};
+constexpr std::array kinds{ValueKind{"SCENE", scenes}, ValueKind{"NAME", scene_names},
+                           ValueKind{"METHODS", methods}, ValueKind{"REGION", regions},
+                           ValueKind{"PROMISE", presets}};
 
 }  // namespace
 
-NameMeanings meanings_of_names() { return meanings; }
+ValueKinds value_kinds() { return kinds; }
 
 }  // namespace zproof::filters_program

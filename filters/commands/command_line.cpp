@@ -54,7 +54,8 @@ void add_truth(CLI::App& app, std::string& letters) {
 }
 
 void add_precision(CLI::App& app, std::string& words) {
-    app.add_option("--precision", words, "what the filter promises, as PRESET,key=value,key=value");
+    app.add_option("--precision", words, "what the filter promises, as PRESET,key=value,key=value")
+        ->type_name("PROMISE");
 }
 
 void add_run(CLI::App& app, FiltersWords& words) {
@@ -64,6 +65,7 @@ void add_run(CLI::App& app, FiltersWords& words) {
                    "(.png, .jpg); none: every filter scene");
     app.add_option("--methods", words.methods,
                    "all of zproof's own, and names with settings, separated by commas")
+        ->type_name("METHODS")
         ->capture_default_str();
     app.add_option(
            "--picture", words.pictures,
@@ -87,7 +89,8 @@ void add_run(CLI::App& app, FiltersWords& words) {
     add_progress(app, words.run.common);
     app.add_flag("--evidence", words.run.writes_evidence,
                  "error, FLIP, certainty, footprint and region of every pixel as OpenEXR files, too");
-    app.add_option("--view", words.views, "names of views, separated by commas; default: all of every scene");
+    app.add_option("--view", words.views, "names of views, separated by commas; default: all of every scene")
+        ->type_name("VIEW");
     app.add_option("--first-row", words.run.first_row,
                    "rows above count in the regions all and horizon only; default 0, of 'worked' 56 of 256")
         ->check(CLI::Range(0, 32767));
@@ -97,10 +100,11 @@ void add_run(CLI::App& app, FiltersWords& words) {
 }
 
 void add_table(CLI::App& app, FiltersWords& words) {
-    app.add_option("DIR", words.table.folder, "what 'filters run' wrote")->required();
+    app.add_option("DIR", words.table.folder, "what 'filters run' wrote")->type_name("FOLDER")->required();
     add_common(app, words.table.common);
     app.add_option("--region", words.table.choice.region,
                    "such as all, silhouette, magnified, 'anisotropy 8-16'")
+        ->type_name("REGION")
         ->capture_default_str();
     app.add_option("--columns", words.table_columns,
                    "metrics, flicker and costs to show, separated by commas; default: all");
@@ -117,11 +121,12 @@ void add_table(CLI::App& app, FiltersWords& words) {
 }
 
 void add_figure(CLI::App& app, FiltersWords& words) {
-    app.add_option("DIR", words.figure.folder, "what 'filters run' wrote")->required();
+    app.add_option("DIR", words.figure.folder, "what 'filters run' wrote")->type_name("FOLDER")->required();
     add_common(app, words.figure.common, "folder for plots, crops and page; default: DIR");
-    app.add_option("--methods", words.only,
-                   "those to name in colour, separated by commas; default: the best");
-    app.add_option("--crop", words.crop, "X,Y,WIDTH,HEIGHT in pixels; default: where methods err most");
+    app.add_option("--methods", words.only, "those to name in colour, separated by commas; default: the best")
+        ->type_name("METHODS");
+    app.add_option("--crop", words.crop, "X,Y,WIDTH,HEIGHT in pixels; default: where methods err most")
+        ->type_name("CROP");
 }
 
 void add_check(CLI::App& app, FiltersWords& words) {
@@ -129,7 +134,8 @@ void add_check(CLI::App& app, FiltersWords& words) {
         ->required();
     app.add_option("SCENE", words.check.scenes, "as of 'filters run'; none: every filter scene");
     app.add_option("--view", words.check_views,
-                   "names of views, separated by commas; default: all of every scene");
+                   "names of views, separated by commas; default: all of every scene")
+        ->type_name("VIEW");
     app.add_option("--picture", words.check.picture, "judge this picture (.exr) of one method and one view");
     add_precision(app, words.precision);
     add_size(app, words.check.width, words.check.height);
@@ -187,9 +193,12 @@ PixelCoord pixel_coord(const std::string& text) {
 void add_explain(CLI::App& app, FiltersWords& words) {
     FiltersExplainArguments& explain = words.explain;
     app.add_option("SCENE", explain.scene, "as of 'filters run'")->required();
-    app.add_option("--view", explain.view, "name of a view")->required();
-    app.add_option("--pixel", words.explained_pixel, "X,Y from the upper left corner")->required();
+    app.add_option("--view", explain.view, "name of a view")->type_name("VIEW")->required();
+    app.add_option("--pixel", words.explained_pixel, "X,Y from the upper left corner")
+        ->type_name("PIXEL")
+        ->required();
     app.add_option("--methods,--method", words.explained_methods, "names with settings, separated by commas")
+        ->type_name("METHODS")
         ->required();
     add_truth(app, words.explained_truth);
     add_size(app, explain.width, explain.height);
@@ -333,7 +342,7 @@ Command parse_filters(int argc, const char* const* argv, const Environment& envi
     std::vector<std::string> typed{argv + 1, argv + argc};
     typed.insert(typed.begin(), "filters");
     words.run.typed = shell_line(typed);
-    CompanionTree tree{"filters", filters_program::examples(), filters_program::meanings_of_names()};
+    CompanionTree tree{"filters", filters_program::examples(), filters_program::value_kinds()};
     add_commands(tree.root(), words);
     if (auto answer = tree.answer(argc, argv)) return *answer;
     take_settings(tree.root(), {}, environment);

@@ -17,7 +17,7 @@ namespace filters_program {
 Examples examples();
 
 /// What names of options stand for, for completion.
-NameMeanings meanings_of_names();
+ValueKinds value_kinds();
 
 }  // namespace filters_program
 

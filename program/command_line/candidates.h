@@ -23,17 +23,13 @@ struct Candidates {
     bool operator==(const Candidates&) const = default;
 };
 
-/// What one name of an option or positional stands for wherever it occurs: a scene, a renderer, a pixel
-/// class.
-struct NameMeaning {
-    const char* name;                                           ///< "SCENE", "--renderer"
+/// A kind of values that a program can list: the type name of an option, or a positional's own name.
+struct ValueKind {
+    const char* name;                                           ///< "SCENE", "RENDERERS"
     Candidates (*candidates)(const std::string& command_path);  ///< of "run", "filters check"
 };
 
 /// A program's table of them.
-using NameMeanings = std::span<const NameMeaning>;
-
-/// Those of every program: --isa, and names for which there is nothing to offer.
-NameMeanings common_meanings();
+using ValueKinds = std::span<const ValueKind>;
 
 }  // namespace zproof

@@ -16,7 +16,8 @@ const std::map<std::string, ProgressStyle> progress_styles{{"auto", ProgressStyl
 void add_out(CLI::App& app, CommonArguments& common, const std::string& made) {
     CLI::Option* out =
         app.add_option("-o,--out", common.out, made.empty() ? "file for what is printed; -: stdout" : made)
-            ->type_name(common.output == Output::folder ? "FOLDER" : "FILE");
+            ->type_name(common.output == Output::folder ? "FOLDER" : "FILE")
+            ->group(machine_options);
     if (made.empty())
         out->default_str("-");
     else if (!common.out.empty())
@@ -28,18 +29,22 @@ void add_out(CLI::App& app, CommonArguments& common, const std::string& made) {
 void add_common(CLI::App& app, CommonArguments& common, const std::string& made) {
     app.add_option("-j,--threads", common.threads, "at most so many; no result depends on their number")
         ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+        ->capture_default_str()
+        ->group(machine_options);
     add_choice(app, "--color", common.colour, colour_modes)
-        ->description("of what is printed; auto: on a terminal, unless NO_COLOR is set");
+        ->description("of what is printed; auto: on a terminal, unless NO_COLOR is set")
+        ->group(machine_options);
     app.add_flag_callback(
-        "-q,--quiet", [&common] { common.detail = Detail::verdict; },
-        "print nothing but the result and errors");
+           "-q,--quiet", [&common] { common.detail = Detail::verdict; },
+           "print nothing but the result and errors")
+        ->group(machine_options);
     add_out(app, common, made);
 }
 
 void add_progress(CLI::App& app, CommonArguments& common) {
     add_choice(app, "--progress", common.progress, progress_styles)
-        ->description("how it is told on stderr; auto: a bar on a terminal, else lines");
+        ->description("how it is told on stderr; auto: a bar on a terminal, else lines")
+        ->group(machine_options);
 }
 
 void add_isa(CLI::App& app) {
@@ -52,8 +57,10 @@ void add_isa(CLI::App& app) {
                    throw UsageError{std::string{"--isa: "} + e.what()};
                }
            },
-           "the widest instruction set of zproof's own code, scalar, avx2 or avx512; no bit depends on it")
-        ->default_str("all that the processor has");
+           "the widest instruction set of zproof's own code; no bit depends on it")
+        ->type_name("TEXT:{scalar,avx2,avx512}")
+        ->default_str("all that the processor has")
+        ->group(machine_options);
 }
 
 }  // namespace zproof

@@ -10,6 +10,9 @@
 
 namespace zproof {
 
+/// The heading in the help of options on which no verdict depends. A plan leaves them to each machine.
+inline constexpr const char* machine_options = "Output and machine; no verdict depends on these";
+
 /// Binds a word from a fixed list, which must outlive the app; the help shows the list, an unknown word is a
 /// usage error.
 template <class T>

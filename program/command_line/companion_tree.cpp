@@ -11,10 +11,10 @@
 
 namespace zproof {
 
-CompanionTree::CompanionTree(const std::string& command, Examples examples, NameMeanings meanings)
+CompanionTree::CompanionTree(const std::string& command, Examples examples, ValueKinds kinds)
     : root_(std::make_unique<CLI::App>(companion_named(command)->purpose, "zproof " + command)),
       examples_(examples),
-      meanings_(meanings) {
+      kinds_(kinds) {
     explain_by_example(*root_, examples);
     root_->footer(exit_statuses_in_help);
     outline_ = root_->add_subcommand("outline", "what this program can parse, as JSON");
@@ -28,7 +28,7 @@ CompanionTree::~CompanionTree() = default;
 std::optional<Command> CompanionTree::answer(int argc, const char* const* argv) {
     if (auto answered = answer_to(*root_, argc, argv)) return answered;
     if (!outline_->parsed()) return std::nullopt;
-    return command_of(Answered{.common = {}, .text = json_of(outline_of(*root_, meanings_, examples_))},
+    return command_of(Answered{.common = {}, .text = json_of(outline_of(*root_, kinds_, examples_))},
                       "cannot answer");
 }
 

@@ -13,7 +13,7 @@ namespace zproof {
 class CompanionTree {
   public:
     /// `command` is a companion's (program/companion.h).
-    CompanionTree(const std::string& command, Examples examples, NameMeanings meanings);
+    CompanionTree(const std::string& command, Examples examples, ValueKinds kinds);
     ~CompanionTree();
     CompanionTree(const CompanionTree&) = delete;
     CompanionTree& operator=(const CompanionTree&) = delete;
@@ -28,7 +28,7 @@ class CompanionTree {
     std::unique_ptr<CLI::App> root_;
     CLI::App* outline_ = nullptr;
     Examples examples_;
-    NameMeanings meanings_;
+    ValueKinds kinds_;
 };
 
 }  // namespace zproof

@@ -8,13 +8,18 @@
 namespace zproof {
 namespace {
 
+/// With one line between them.
+std::string groups_of(const CLI::App* app, CLI::AppFormatMode mode) {
+    return CLI::detail::find_and_replace(CLI::Formatter{}.make_groups(app, mode), "\n\n\n", "\n\n");
+}
+
 std::string help_of(Examples examples, const CLI::App* app, std::string name, CLI::AppFormatMode mode) {
     const CLI::Formatter usual;
     if (mode == CLI::AppFormatMode::Sub) return usual.make_expanded(app);
     const std::string shown = in_words(examples, path_of(*app));
     return usual.make_description(app) + (shown.empty() ? "" : "\n" + shown) + "\n" +
-           usual.make_usage(app, std::move(name)) + usual.make_positionals(app) +
-           usual.make_groups(app, mode) + usual.make_subcommands(app, mode) + usual.make_footer(app);
+           usual.make_usage(app, std::move(name)) + usual.make_positionals(app) + groups_of(app, mode) +
+           usual.make_subcommands(app, mode) + usual.make_footer(app);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <sstream>
 
@@ -32,26 +31,16 @@ std::vector<std::string> names_of(const CLI::Option& option) {
     return names;
 }
 
-bool is_number(const std::string& kind) {
-    return std::ranges::any_of(std::array{"INT", "UINT", "FLOAT"},
-                               [&](const char* number) { return kind.starts_with(number); });
-}
-
-const NameMeaning* meaning_of(const std::string& name, NameMeanings meanings) {
-    const auto found = std::ranges::find_if(meanings, [&](const NameMeaning& m) { return m.name == name; });
-    return found == meanings.end() ? nullptr : &*found;
-}
-
-Candidates candidates_for(const OutlineOption& option, const std::string& path, NameMeanings meanings) {
+Candidates candidates_for(const OutlineOption& option, const std::string& path, ValueKinds kinds) {
     if (!option.choices.empty()) return {option.choices};
-    for (const NameMeanings known : {meanings, common_meanings()})
-        for (const std::string& name : option.names)
-            if (const NameMeaning* meaning = meaning_of(name, known)) return meaning->candidates(path);
-    if (option.kind == "FOLDER") return {{}, Paths::folders};
-    return {{}, is_number(option.kind) ? Paths::none : Paths::files};
+    for (const ValueKind& kind : kinds)
+        if (kind.name == option.kind || kind.name == option.names.front()) return kind.candidates(path);
+    const std::string kind = option.kind.substr(0, option.kind.find(':'));  // of "FOLDER:DIR"
+    if (kind == "FOLDER") return {{}, Paths::folders};
+    return {{}, kind == "TEXT" || kind == "FILE" ? Paths::files : Paths::none};
 }
 
-OutlineOption option_of(const CLI::Option& option, const std::string& path, NameMeanings meanings) {
+OutlineOption option_of(const CLI::Option& option, const std::string& path, ValueKinds kinds) {
     const std::string kind = option.get_type_name();
     OutlineOption outline{.names = names_of(option),
                           .takes = takes_of(option),
@@ -60,7 +49,7 @@ OutlineOption option_of(const CLI::Option& option, const std::string& path, Name
                           .description = option.get_description(),
                           .default_value = option.get_default_str(),
                           .candidates = {}};
-    if (outline.takes != Takes::nothing) outline.candidates = candidates_for(outline, path, meanings);
+    if (outline.takes != Takes::nothing) outline.candidates = candidates_for(outline, path, kinds);
     return outline;
 }
 
@@ -75,7 +64,7 @@ std::string path_of(const CLI::App& app) {
     return above + (above.empty() ? "" : " ") + app.get_name();
 }
 
-OutlineCommand outline_of(const CLI::App& app, NameMeanings meanings, Examples examples) {
+OutlineCommand outline_of(const CLI::App& app, ValueKinds kinds, Examples examples) {
     OutlineCommand command{.path = path_of(app),
                            .description = app.get_description(),
                            .examples = in_words(examples, path_of(app)),
@@ -85,9 +74,9 @@ OutlineCommand outline_of(const CLI::App& app, NameMeanings meanings, Examples e
                            .commands = {}};
     for (const CLI::Option* option : app.get_options())
         (option->nonpositional() ? command.options : command.positionals)
-            .push_back(option_of(*option, command.path, meanings));
+            .push_back(option_of(*option, command.path, kinds));
     for (const CLI::App* below : app.get_subcommands(std::function<bool(const CLI::App*)>{}))
-        if (!below->get_group().empty()) command.commands.push_back(outline_of(*below, meanings, examples));
+        if (!below->get_group().empty()) command.commands.push_back(outline_of(*below, kinds, examples));
     return command;
 }
 

@@ -45,8 +45,8 @@ struct OutlineCommand {
 std::string path_of(const CLI::App& app);
 
 /// Everything that the tree can parse, but what is hidden. A value's candidates: its choices where it has a
-/// list of them; else what its name stands for; nothing for numbers; folders or files for all else.
-OutlineCommand outline_of(const CLI::App& root, NameMeanings meanings, Examples examples);
+/// list of them; else those of its kind; files of a TEXT or FILE, folders of a FOLDER, nothing for all else.
+OutlineCommand outline_of(const CLI::App& root, ValueKinds kinds, Examples examples);
 
 /// The commands that can be given by themselves, that is those with no command below them, in order.
 std::vector<OutlineCommand> leaves_of(const OutlineCommand& root);

@@ -2,56 +2,33 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 
+#include "program/command_line/common_options.h"
 #include "program/usage_error.h"
 
 namespace zproof {
 namespace {
 
-constexpr std::array machine_options{"--help",
-                                     "--plan",
-                                     "--shard",
-                                     "--empty-shard",
-                                     "--exit-zero",
-                                     "--out",
-                                     "--threads",
-                                     "--color",
-                                     "--quiet",
-                                     "--progress",
-                                     "--times",
-                                     "--isa",
-                                     "--report",
-                                     "--config",
-                                     "--profile",
-                                     "--reference-cache",
-                                     "--reference-cache-size"};
-bool is_of_waive(const CLI::App& app) {
-    return app.get_parent() != nullptr && app.get_parent()->get_name() == "waive";
-}
-
-bool bears_on_all(const CLI::App& app) {
-    const std::string name = app.get_name();
-    const CLI::App* parent = app.get_parent();
-    return name == "compare" || name == "merge" || name == "plan" || is_of_waive(app) ||
-           (name == "run" && parent != nullptr && parent->get_name() == "zproof");
+bool has(const CLI::App& app, const std::string& option) {
+    return app.get_option_no_throw(option) != nullptr;
 }
 
 /// A shard of a plan, which states all that bears on the judgement.
 bool has_plan(const CLI::App& app) {
     const CLI::Option* plan = app.get_option_no_throw("--plan");
-    return app.get_name() == "run" && plan != nullptr && plan->count() > 0;
+    return has(app, "--shard") && plan != nullptr && plan->count() > 0;
 }
 
+/// A command that can be told a settings file takes all settings; one that renders, those of any program. A
+/// word that has to be typed comes from nowhere else, and one folder for reports is that of commands that
+/// write them.
 bool concerns(const CLI::App& app, const std::string& setting) {
-    if (app.get_option_no_throw(option_name(setting)) == nullptr) return false;
+    const CLI::Option* option = app.get_option_no_throw(option_name(setting));
+    if (option == nullptr || option->get_required()) return false;
     const auto for_all = {"threads", "isa", "color", "progress"};
-    const bool renders = app.get_option_no_throw("--isa") != nullptr;
-    if (std::ranges::find(for_all, setting) != for_all.end()) return renders || bears_on_all(app);
-    const std::string command = app.get_name();
-    if (has_plan(app) && !is_of_the_machine(option_name(setting))) return false;
-    if (setting == "out") return bears_on_all(app) && !is_of_waive(app) && command != "plan";  // of reports
-    return bears_on_all(app) && (setting != "scenes" || command == "run" || command == "plan");
+    if (std::ranges::find(for_all, setting) != for_all.end() && has(app, "--isa")) return true;
+    if (!has(app, "--config") || (has_plan(app) && !is_of_the_machine(*option))) return false;
+    return setting != "out" || has(app, "--report");
 }
 
 void give_to(CLI::Option& option, const SettingValue& request) {
@@ -67,9 +44,7 @@ void give_to(CLI::Option& option, const SettingValue& request) {
 
 }  // namespace
 
-bool is_of_the_machine(const std::string& option_name) {
-    return std::ranges::find(machine_options, option_name) != machine_options.end();
-}
+bool is_of_the_machine(const CLI::Option& option) { return option.get_group() == machine_options; }
 
 void give(const SettingValues& assignments, CLI::App& app) {
     for (const SettingValue& request : assignments) {

@@ -9,7 +9,7 @@ namespace zproof::test {
 
 OutlineCommand outline_of_zproof() {
     CommandTree tree;
-    OutlineCommand outline = outline_of(tree.root(), meanings_of_names(), examples());
+    OutlineCommand outline = outline_of(tree.root(), value_kinds(), examples());
     const Folder folder;
     for (OutlineCommand& command : outline.commands)
         if (companion_named(command.path)) command = outline_from(run(folder, {command.path, "outline"}).out);
