@@ -1,6 +1,8 @@
 /// What a run says at its end, and to whom.
 #pragma once
 
+#include <string>
+
 #include "cli/arguments.h"
 #include "program/exit_code.h"
 #include "reports/results.h"
@@ -11,5 +13,8 @@ namespace zproof {
 /// tells GitHub where its format is asked for: annotations on stdout, the summary into the file that
 /// $GITHUB_STEP_SUMMARY names. Returns the verdict. Throws ReportError where that file cannot be written.
 ExitCode announce(const Results& results, const ReportArguments& report);
+
+/// Seconds of wall clock per stage, over all views, each with its share. Ends in a newline.
+std::string times_table(const Results& results);
 
 }  // namespace zproof

@@ -3,22 +3,57 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/gate/arguments.h"
 #include "cli/gate/shard.h"
-#include "cli/plan/arguments.h"
 #include "cli/renderers/choice.h"
 #include "cli/report_files.h"
 #include "cli/run_size.h"
-#include "cli/views_arguments.h"
 #include "oracle/reference_cache.h"
 #include "program/command.h"
 #include "program/common_arguments.h"
+#include "scenes/import/calibrated_camera.h"
 
 namespace zproof {
+
+/// In whose words the shards' commands are printed.
+enum class PlanFormat {
+    lines,   ///< a command each
+    slurm,   ///< a batch script for an array of jobs
+    github,  ///< a matrix of GitHub Actions, JSON
+    gitlab,  ///< a job of GitLab CI, YAML
+};
+
+/// A run to be planned for.
+struct RunWords {
+    std::string name;               ///< its profile; empty: that of the settings, or none
+    std::vector<std::string> argv;  ///< of the run, with all its settings, without "zproof"
+};
+
+struct PlanArguments {
+    CommonArguments common{.output = Output::file, .out = "plan.json"};
+    int shards = 0;
+    std::vector<std::filesystem::path> earlier;  ///< results of earlier runs
+    PlanFormat format = PlanFormat::lines;
+    std::vector<RunWords> runs;  ///< one per renderer
+};
+
+/// Whose file of cameras it is.
+enum class CameraSource { opencv, colmap, nerf };
+
+struct ViewsArguments {
+    CommonArguments common{
+        .output = Output::file};  ///< the view file; no default, so that none is replaced unasked
+    CameraSource source = CameraSource::opencv;
+    std::filesystem::path cameras;  ///< COLMAP: a folder
+    std::filesystem::path model;
+    DepthRange range{.near_depth = 0, .far_depth = std::numeric_limits<double>::infinity()};
+    std::optional<glm::ivec2> image_size;  ///< of files that do not say it
+};
 
 enum class MeasurementFormat {
     table,  ///< for people

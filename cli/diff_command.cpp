@@ -3,8 +3,8 @@
 #include <iostream>
 
 #include "cli/commands.h"
-#include "cli/result_line.h"
 #include "frame/input_file.h"
+#include "frame/printable.h"
 #include "frame/whole_file.h"
 #include "reports/findings_file.h"
 #include "reports/results_diff.h"

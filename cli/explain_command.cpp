@@ -5,12 +5,11 @@
 #include "cli/labelled_candidate.h"
 #include "cli/memory.h"
 #include "cli/renderers/registry.h"
-#include "cli/result_line.h"
 #include "compare/explanation/explain.h"
 #include "frame/printable.h"
+#include "program/common_arguments.h"
 #include "program/samples.h"
 #include "program/scene_selection.h"
-#include "program/threads.h"
 #include "program/usage_error.h"
 #include "scenes/judged_ranges.h"
 

@@ -3,15 +3,14 @@
 #include <stdexcept>
 
 #include "cli/commands.h"
-#include "cli/measured_renderer.h"
 #include "cli/renderers/registry.h"
-#include "cli/result_line.h"
 #include "frame/precision_text.h"
+#include "frame/printable.h"
 #include "frame/whole_file.h"
 #include "measure/measure.h"
 #include "measure/promise.h"
+#include "program/common_arguments.h"
 #include "program/interrupt.h"
-#include "program/threads.h"
 #include "program/work_progress.h"
 #include "reports/measurement_report.h"
 

@@ -32,7 +32,7 @@ std::uint64_t left_on_machine() {
     return is_known ? left_kib * 1024 : unlimited_bytes;
 }
 
-/// Of the process's own limit.
+/// Bytes that the process's own limit leaves.
 std::uint64_t left_of_limit() {
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited_bytes;

@@ -31,7 +31,7 @@ void require_memory(Resolution size);
 
 /// What to say where memory ran out in spite of that.
 std::string out_of_memory(Resolution size, std::uint64_t triangles);
-/// The same of a scene that was being read or built.
+/// What is told where memory ran out while a scene was read or built.
 std::string out_of_memory_for(const std::string& scene);
 
 }  // namespace zproof

@@ -42,7 +42,7 @@ OracleAnswer judged(const OpenedOracle& oracle, const ViewContext& context, cons
     return answer_of(oracle, context, std::move(frame), std::move(verdict));
 }
 
-/// Of pixels that are the lattice's cells, in pixels of the image.
+/// Findings are at cells of the lattice; they move to the image's pixels.
 void move_to_image(const PixelLattice& pixels, std::vector<Finding>& findings) {
     for (Finding& finding : findings) {
         finding.x = pixels.first_x + pixels.stride * finding.x;

@@ -13,7 +13,7 @@ namespace zproof {
 /// defect.
 ExitCode exit_code_of(const Results& results);
 
-/// Of several runs, by the same order, but ExitCode::nothing only where nothing was judged in any of them.
+/// The worst of several runs, by the same order. ExitCode::nothing only where none of them judged anything.
 ExitCode worst_of(const std::vector<ExitCode>& codes);
 
 /// The verdict on a whole run: "proven", "defect", "cannot judge everything", ...

@@ -6,7 +6,6 @@
 #include "cli/plan/assignment.h"
 #include "cli/plan/expected_seconds.h"
 #include "cli/plan/shard_commands.h"
-#include "cli/plan/unknown_scene.h"
 #include "cli/report_files.h"
 #include "cli/selected_scenes.h"
 #include "frame/whole_file.h"
@@ -17,7 +16,7 @@
 namespace zproof {
 namespace {
 
-/// Of several earlier runs, the one that judged this renderer; else the first.
+/// The earlier run that judged this renderer; else the first.
 EarlierRun earlier_run(const std::vector<Results>& all, const RendererChoice& candidate) {
     for (const Results& results : all)
         if (!results.renderers.empty() && results.renderers.front().name == name_of(candidate))

@@ -8,7 +8,7 @@
 #include "cli/commands.h"
 #include "frame/printable.h"
 #include "frame/whole_file.h"
-#include "program/threads.h"
+#include "program/common_arguments.h"
 #include "program/usage_error.h"
 #include "reports/pages/folder.h"
 #include "reports/report_error.h"

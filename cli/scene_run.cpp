@@ -286,7 +286,8 @@ struct SceneRun {
     }
 };
 
-/// Of these views. A place is counted among all of the scene's views, whoever judges the others.
+/// Judges the views at these places. A place is counted among all of the scene's views, whoever judges the
+/// others.
 Ending run_places(const SceneRun& run, const Scene& scene, const std::vector<View>& views,
                   std::span<const std::size_t> places) {
     const auto& [source, config, clock, record] = run;

@@ -1,14 +1,14 @@
 #include <iostream>
 
 #include "cli/commands.h"
-#include "cli/measured_renderer.h"
 #include "cli/memory.h"
+#include "cli/renderers/registry.h"
 #include "frame/printable.h"
 #include "measure/selfcheck/selfcheck.h"
 #include "oracle/oracle_error.h"
+#include "program/common_arguments.h"
 #include "program/interrupt.h"
 #include "program/scene_selection.h"
-#include "program/threads.h"
 #include "program/work_progress.h"
 #include "reports/wording.h"
 #include "scenes/judged_ranges.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "oracle/oracle_error.h"
-#include "rasterizer/shading.h"
+#include "rasterizer/shader.h"
 #include "reports/evidence.h"
 
 namespace zproof {

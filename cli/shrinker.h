@@ -15,9 +15,9 @@ class Shrinker {
   public:
     explicit Shrinker(const RunConfig& config) : config_(config) {}
 
-    /// Of a random scene whose failure is none of those before: writes the smaller one into the run's folder,
-    /// below shrunk/, and notes it in the result. Of three failures at most. An interrupt ends it, with the
-    /// least so far. Uses the surrounding tbb::task_arena.
+    /// Shrinks a random scene whose failure is none of those before: writes the smaller one into the run's
+    /// folder, below shrunk/, and notes it in the result. Does so for three failures at most. An interrupt
+    /// ends it, with the least so far. Uses the surrounding tbb::task_arena.
     void look_at(const SceneSource& source, ViewResult& result);
 
   private:

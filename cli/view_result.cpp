@@ -22,7 +22,7 @@ struct Ranked {
 
     /// Defects, then waived defects, then admissible differences.
     int grade() const { return passes(finding->verdict) ? 2 : waiver.empty() ? 0 : 1; }
-    /// Of what makes it a defect. A NaN comes last.
+    /// The ratio of what makes it a defect. A NaN comes last.
     double ratio() const {
         const auto& wrong = finding->wrong_attribute;
         const double error = wrong ? wrong->error_over_bound : finding->error_over_bound;

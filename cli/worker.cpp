@@ -21,9 +21,9 @@
 #include "oracle/oracle_error.h"
 #include "oracle/scratch_folder.h"
 #include "oracle/subprocess.h"
+#include "program/common_arguments.h"
 #include "program/exit_code.h"
 #include "program/interrupt.h"
-#include "program/threads.h"
 #include "program/usage_error.h"
 #include "reports/json.h"
 

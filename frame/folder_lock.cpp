@@ -12,11 +12,11 @@
 
 namespace zproof {
 
-FolderLock::FolderLock(const std::filesystem::path& folder) : FolderLock(folder, Patience::waits) {}
+FolderLock::FolderLock(const std::filesystem::path& folder) : FolderLock(folder, OnBusy::waits) {}
 
-FolderLock::FolderLock(const std::filesystem::path& folder, Patience patience)
+FolderLock::FolderLock(const std::filesystem::path& folder, OnBusy on_busy)
     : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    const int how = patience == Patience::waits ? LOCK_EX : LOCK_EX | LOCK_NB;
+    const int how = on_busy == OnBusy::waits ? LOCK_EX : LOCK_EX | LOCK_NB;
     int answer = descriptor_;
     while (descriptor_ >= 0 && (answer = flock(descriptor_, how)) != 0 && errno == EINTR) continue;
     if (answer >= 0) return;
@@ -31,7 +31,7 @@ FolderLock::~FolderLock() {
 }
 
 std::optional<FolderLock> FolderLock::if_free(const std::filesystem::path& folder) try {
-    return FolderLock(folder, Patience::does_not_wait);
+    return FolderLock(folder, OnBusy::does_not_wait);
 } catch (const FrameError&) {
     return std::nullopt;
 }

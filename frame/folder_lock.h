@@ -23,8 +23,8 @@ class FolderLock {
     ~FolderLock();
 
   private:
-    enum class Patience { waits, does_not_wait };
-    FolderLock(const std::filesystem::path& folder, Patience patience);
+    enum class OnBusy { waits, does_not_wait };
+    FolderLock(const std::filesystem::path& folder, OnBusy on_busy);
 
     int descriptor_;
 };

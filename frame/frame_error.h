@@ -1,6 +1,9 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
+
+#include "frame/plane.h"
 
 namespace zproof {
 
@@ -8,5 +11,8 @@ namespace zproof {
 struct FrameError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+
+/// Throws FrameError, naming the file or purpose `place`, where `size` is outside 1 to 32768 on either side.
+void refuse_bad_size(Resolution size, const std::string& place);
 
 }  // namespace zproof

@@ -1,6 +1,8 @@
 /// Colour pictures in linear light. Primary visibility is never judged from them.
 #pragma once
 
+#include <cstdint>
+
 #include "frame/plane.h"
 
 namespace zproof {
@@ -12,5 +14,11 @@ struct LinearRgb {
 };
 
 using Picture = Plane<LinearRgb>;
+
+/// sRGB.
+struct Rgb8 {
+    std::uint8_t r = 0, g = 0, b = 0;
+    bool operator==(const Rgb8&) const = default;
+};
 
 }  // namespace zproof

@@ -9,6 +9,7 @@
 #include "frame/found_text.h"
 #include "frame/frame_error.h"
 #include "frame/input_file.h"
+#include "frame/number_text.h"
 #include "frame/precision_fields.h"
 #include "frame/precision_presets.h"
 #include "frame/precision_words.h"
@@ -18,13 +19,6 @@ namespace zproof {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// 0, 1, 1e+30.
-std::string number_text(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
-}
 
 /// A JSON object whose keys are taken out one by one; what is left over at the end is refused.
 class Declaration {
@@ -51,8 +45,8 @@ class Declaration {
         const Json found = at(key);
         if (found.is_null()) return;
         if (!found.is_number_integer() || found < limits.low || found > limits.high)
-            refuse(key, "expected a whole number from " + number_text(limits.low) + " to " +
-                            number_text(limits.high) + ", found " + found_text(found));
+            refuse(key, "expected a whole number from " + with_digits(limits.low, 6) + " to " +
+                            with_digits(limits.high, 6) + ", found " + found_text(found));
         value = found.get<int>();
     }
 
@@ -60,8 +54,8 @@ class Declaration {
         const Json found = at(key);
         if (found.is_null()) return;
         if (!found.is_number() || found < limits.low || found > limits.high)
-            refuse(key, "expected a number from " + number_text(limits.low) + " to " +
-                            number_text(limits.high) + ", found " + found_text(found));
+            refuse(key, "expected a number from " + with_digits(limits.low, 6) + " to " +
+                            with_digits(limits.high, 6) + ", found " + found_text(found));
         value = found.get<double>();
     }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 namespace zproof {
+
 namespace {
 
 /// Length of the well-formed UTF-8 sequence at the start of text (Unicode 15, table 3-7), 0 where there is
@@ -129,6 +130,13 @@ std::string shortened(std::string_view text, std::size_t most) {
         if (std::string shorter = with_short_words(line, longest_word); shorter.size() <= most)
             return shorter;
     return without_middle(with_short_words(line, most / 5), most);
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n') + 1); }
+
+std::string last_line(const std::string& text) {
+    const std::size_t end = text.rfind('\n', text.size() - 2);  // of the line before
+    return end == std::string::npos ? text : text.substr(end + 1);
 }
 
 }  // namespace zproof

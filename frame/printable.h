@@ -22,4 +22,8 @@ std::string shortened(std::string_view text, std::size_t most);
 /// An error or progress line has fewer bytes, its newline counted.
 constexpr std::size_t longest_line_bytes = 300;
 
+/// Each with its end of line.
+std::string first_line(const std::string& text);
+std::string last_line(const std::string& text);
+
 }  // namespace zproof

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "frame/frame_error.h"
-#include "frame/frame_size.h"
 #include "frame/whole_file.h"
 #include "image_io/image_file.h"
 #include "image_io/image_io.h"

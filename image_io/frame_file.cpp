@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "frame/frame_error.h"
-#include "frame/frame_size.h"
 #include "frame/whole_file.h"
 #include "image_io/attribute_channels.h"
 #include "image_io/frame_files.h"

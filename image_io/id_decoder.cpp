@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 #include "frame/frame_error.h"
+#include "frame/number_text.h"
 
 namespace zproof::image_io {
 namespace {
@@ -38,13 +38,6 @@ double first_inexact(Sample sample) {
     return sample == Sample::float32 ? 0x1p24 : 0x1p53;
 }
 
-std::string in_words(double number) {
-    std::ostringstream text;
-    text.precision(17);
-    text << number;
-    return text.str();
-}
-
 }  // namespace
 
 IdDecoder::IdDecoder(const Convention& convention, Sample sample, std::string channel)
@@ -67,7 +60,7 @@ PrimitiveId IdDecoder::id_of(std::int64_t number, SamplePlace place) const {
 PrimitiveId IdDecoder::id_of_real(double number, SamplePlace place) const {
     if (background_ && number == double(*background_)) return PrimitiveId::none;
     if (!(std::abs(number) < exact_below_) || number != std::trunc(number))
-        refuse(in_words(number), place,
+        refuse(with_digits(number, 17), place,
                "a whole number below " + std::to_string(std::int64_t(exact_below_)) +
                    ", up to which this type of float has each; write ids as uint32");
     return id_of(std::int64_t(number), place);

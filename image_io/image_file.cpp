@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "frame/frame_error.h"
-#include "frame/frame_size.h"
 #include "frame/input_file.h"
 #include "image_io/module.h"
 #include "image_io/samples.h"

@@ -15,7 +15,6 @@
 
 #include "frame/frame.h"
 #include "frame/picture.h"
-#include "frame/rgb8.h"
 
 namespace zproof {
 
@@ -64,7 +63,7 @@ struct Rgba8Image {
 /// Decodes a PNG or JPEG file in memory, of at most `largest_side` texels on either side. 16-bit channels are
 /// rounded to 8 bits, grey becomes three equal channels, missing alpha is 255.
 Rgba8Image decode_rgba8(std::span<const unsigned char> bytes, int largest_side);
-/// The same of a file, be it OpenEXR, TIFF or DDS, and of one of its mip levels.
+/// Reads a file, be it OpenEXR, TIFF or DDS, and one of its mip levels.
 Rgba8Image read_rgba8(const std::filesystem::path& file, int largest_side, int mip_level = 0);
 
 /// How an image lies in its file.

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "frame/frame_error.h"
-#include "frame/frame_size.h"
 #include "image_io/samples.h"
 
 namespace zproof::image_io {

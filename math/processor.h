@@ -1,6 +1,8 @@
 /// Instruction sets: what the processor has, and how much of it code may use that is compiled once for each.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -36,5 +38,20 @@ InstructionSet widest_allowed();
 
 /// To be called before anything else runs, and on one thread.
 void allow_at_most(InstructionSet set);
+
+/// The one of `kernels` for widest_allowed(): code that is compiled once for each instruction set, in their
+/// order.
+template <class Kernel, std::size_t count>
+const Kernel& widest_of(const std::array<const Kernel*, count>& kernels) {
+    return *kernels.at(std::size_t(widest_allowed()));
+}
+
+/// Those of `kernels` that this processor can run, narrowest first.
+template <class Kernel, std::size_t count>
+std::vector<Kernel> available_of(const std::array<const Kernel*, count>& kernels) {
+    std::vector<Kernel> available;
+    for (const InstructionSet set : instruction_sets()) available.push_back(*kernels.at(std::size_t(set)));
+    return available;
+}
 
 }  // namespace zproof

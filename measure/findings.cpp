@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "compare/bounds/bounds.h"
+#include "frame/number_text.h"
 #include "measure/flat.h"
 #include "measure/measure.h"
 #include "measure/probe.h"
@@ -65,14 +65,6 @@ class Allowed {
     Precision precision_;
     const RasterPrecision* raster_;
 };
-
-std::string number(double value, int digits = 6) {
-    std::array<char, 64> buffer{};
-    const auto end =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits)
-            .ptr;
-    return {buffer.data(), end};
-}
 
 /// The measured is worse where even its better end is.
 Conformity conformity_of(bool is_worse) { return is_worse ? Conformity::worse : Conformity::as_declared; }
@@ -150,9 +142,9 @@ class Findings {
         if (found.grid)
             f.value = Bracket{-std::log2(found.grid->step_px.high), -std::log2(found.grid->step_px.low)};
         else
-            f.words = "no grid of " + number(-std::log2(found.finest_px)) + " bits or fewer";
+            f.words = "no grid of " + with_digits(-std::log2(found.finest_px), 6) + " bits or fewer";
         if (const auto declared = allowed_.subpixel_bits()) {
-            f.declared = number(*declared);
+            f.declared = with_digits(*declared, 6);
             f.conformity = conformity_of(f.value && f.value->high < *declared);
         }
         list_.push_back(f);
@@ -165,12 +157,12 @@ class Findings {
                   with_axis("greatest vertex shift seen", axis, ", "),
                   Bracket{greatest, greatest},
                   "px",
-                  "from " + number(low) + " to " + number(high),
+                  "from " + with_digits(low, 6) + " to " + with_digits(high, 6),
                   "",
                   Conformity::undeclared};
         if (allowed_.is_raster()) {
             const double most = allowed_.displacement_px();
-            f.declared = "<= " + number(most);
+            f.declared = "<= " + with_digits(most, 6);
             f.conformity = conformity_of(greatest > most);
         }
         list_.push_back(f);
@@ -258,23 +250,23 @@ std::string in_projection(Projection projection) {
 /// Depths further apart than twice what each may be off are told apart.
 void Findings::add_depth_step(const DepthStep& step) {
     const double binade = std::exp2(std::floor(std::log2(step.depth)) + 1);
-    const std::string where = in_projection(step.projection) + ", at " + number(step.depth);
-    const std::string key = in_projection(step.projection) + "_at_" + number(step.depth);
+    const std::string where = in_projection(step.projection) + ", at " + with_digits(step.depth, 6);
+    const std::string key = in_projection(step.projection) + "_at_" + with_digits(step.depth, 6);
     const double most = allowed_.depth_of(step);
     const auto bits_of = [&](double width) { return std::log2(binade / width); };
     Finding bits{"depth_bits_" + key,
                  "depth bits, " + where,
                  Bracket{bits_of(step.step.high), bits_of(step.step.low)},
                  "bits",
-                 "told apart from " + number(step.step.middle(), 3),
+                 "told apart from " + with_digits(step.step.middle(), 3),
                  "",
                  Conformity::undeclared};
     Finding error{"depth_error_" + key,  "depth error, " + where, Bracket{step.error, step.error}, "", "", "",
                   Conformity::undeclared};
     if (allowed_.is_raster()) {
-        bits.declared = ">= " + number(bits_of(2 * most), 4);
+        bits.declared = ">= " + with_digits(bits_of(2 * most), 4);
         bits.conformity = conformity_of(step.step.low > 2 * most);
-        error.declared = "<= " + number(most, 3);
+        error.declared = "<= " + with_digits(most, 3);
         error.conformity = conformity_of(step.error > most);
     }
     list_.push_back(bits);
@@ -288,7 +280,7 @@ void Findings::add_limit(const DepthLimit& limit) {
               {},
               "",
               "",
-              "cuts at " + number(limit.depth),
+              "cuts at " + with_digits(limit.depth, 6),
               Conformity::worse};
     if (limit.offset) {
         const double slack = allowed_.limit_of(limit);

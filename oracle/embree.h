@@ -27,7 +27,7 @@ class Embree {
     /// depth, so that the hit distance is the camera depth and tnear/tfar are the near and far planes. Throws
     /// OracleError for a view that is not judged (scenes/judged_ranges.h).
     Frame trace(const View& view) const;
-    /// The same with Embree's u and v as the attribute `bary`.
+    /// The frame with Embree's u and v as the attribute `bary`.
     Frame trace_with_barycentrics(const View& view) const;
 
     /// The triangle that the view ray through each of these raster positions meets, on the calling

@@ -7,7 +7,6 @@
 
 #include "frame/frame_error.h"
 #include "oracle/convention/stored_frame.h"
-#include "oracle/convention/stored_picture.h"
 #include "oracle/oracle_error.h"
 #include "oracle/scratch_folder.h"
 #include "oracle/subprocess.h"

@@ -38,7 +38,7 @@ class External {
     Frame render(const View& view) const;
     /// The names of the channels of the file that the last render() read; none where there is none.
     std::vector<std::string> channels() const;
-    /// The same of a program that writes a picture: R, G and B, in linear light.
+    /// The picture of a program that writes R, G and B, in linear light. Throws as render().
     Picture render_picture(const View& view) const;
 
   private:

@@ -13,7 +13,7 @@
 #include "frame/frame.h"
 #include "frame/picture.h"
 #include "frame/precision.h"
-#include "oracle/povray/phong_finish.h"
+#include "oracle/povray/picture.h"
 #include "scenes/light.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"

@@ -1,7 +1,8 @@
 #include "program/common_arguments.h"
 
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 #include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <thread>
@@ -29,6 +30,12 @@ bool wants_colours(const CommonArguments& common) {
     const char* no_color = std::getenv("NO_COLOR");  // no-color.org: any value but the empty one
     const bool is_refused = no_color != nullptr && *no_color != '\0';
     return !is_refused && !common.is_printed_to_file() && is_terminal(STDOUT_FILENO);
+}
+
+void on_threads(int count, const std::function<void()>& work) {
+    const tbb::global_control limit{tbb::global_control::max_allowed_parallelism, std::size_t(count)};
+    tbb::task_arena arena{count};
+    arena.execute(work);
 }
 
 }  // namespace zproof

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include "program/settings.h"
 
@@ -40,10 +41,13 @@ struct CommonArguments {
 
 /// How progress is told: -q has the last word, whatever a setting says of it.
 ProgressStyle progress_of(const CommonArguments& common);
-/// The same for a command whose results are lines that tell as much: a bar on a terminal, else nothing.
+/// The style beside results that are lines and tell as much: a bar on a terminal, else nothing.
 ProgressStyle progress_beside_lines(const CommonArguments& common);
 
 /// May what is printed hold colours?
 bool wants_colours(const CommonArguments& common);
+
+/// Does the work in an arena of so many threads, and lets no library take more.
+void on_threads(int count, const std::function<void()>& work);
 
 }  // namespace zproof

@@ -12,7 +12,7 @@
 #include <system_error>
 
 #include "oracle/subprocess.h"
-#include "program/command_line/outline_json.h"
+#include "program/command_line/outline.h"
 
 namespace zproof {
 namespace {

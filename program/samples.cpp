@@ -25,7 +25,7 @@ std::optional<Number> number_from(std::string_view text) {
     return number;
 }
 
-/// Of what stands after "standard:".
+/// The samples that the words after "standard:" name.
 std::vector<Sample> pattern_from(const std::string& word, std::string_view rest) {
     const std::size_t colon = rest.find(':');
     const auto count = number_from<int>(rest.substr(0, colon));

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "frame/joined.h"
 #include "program/nearest_word.h"
+#include "program/samples.h"
 #include "reports/output_manifest.h"
 #include "reports/wording.h"
 #include "scenes/judged_ranges.h"
@@ -19,6 +21,7 @@
 #include "scenes/view_file.h"
 
 namespace zproof {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -253,6 +256,28 @@ bool states_its_size(const SceneSource& source) {
 std::string word_for(const SceneSource& source) {
     if (source.kind != SceneSource::Kind::suite) return source.origin;
     return source.suite_name.empty() ? source.name : source.suite_name;
+}
+
+namespace {
+
+std::vector<std::string> shown_names(const std::vector<View>& views) {
+    std::vector<std::string> names;
+    std::ranges::transform(views, std::back_inserter(names), shown_name);
+    return names;
+}
+
+}  // namespace
+
+std::vector<std::size_t> places_in(const ViewShare& share, const std::vector<View>& views) {
+    if (share.planned) {
+        if (share.planned->all != shown_names(views))
+            throw SceneError{
+                "the scene has other views than the plan says: it was changed; make the plan again"};
+        return share.planned->wanted;
+    }
+    std::vector<std::size_t> places;
+    for (std::size_t i = share.first; i < views.size(); i += share.stride) places.push_back(i);
+    return places;
 }
 
 }  // namespace zproof

@@ -1,6 +1,7 @@
 /// Turns words of a command line into the scenes that they mean.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -9,10 +10,29 @@
 #include <vector>
 
 #include "frame/plane.h"
-#include "program/view_share.h"
 #include "scenes/loaded.h"
+#include "scenes/view.h"
 
 namespace zproof {
+
+/// What a plan says of a scene.
+struct PlannedViews {
+    std::vector<std::string> all;     ///< that the scene had when the plan was made, as reports call them
+    std::vector<std::size_t> wanted;  ///< places in it, ascending; of a scene without views: 0
+};
+
+/// Without a plan: the view `first`, and each stride-th after it. Every view, unless told otherwise.
+struct ViewShare {
+    std::size_t first = 0, stride = 1;
+    std::optional<PlannedViews> planned{};
+
+    /// Does what there is to say of a scene without views belong to this share?
+    bool has_the_first() const { return planned ? planned->wanted.front() == 0 : first == 0; }
+};
+
+/// The places of the share's views among the scene's, ascending. Throws SceneError where a plan speaks of
+/// other views.
+std::vector<std::size_t> places_in(const ViewShare& share, const std::vector<View>& views);
 
 /// A scene that is known of, not yet loaded.
 struct SceneSource {
@@ -43,7 +63,7 @@ std::vector<SceneSource> select_scenes(const std::vector<std::string>& words,
 /// How many files, by their ending in lower case.
 using FileCounts = std::map<std::string, std::uint64_t>;
 
-/// The same scenes, with the whole suite's of thorough runs, and what lies beside them in the folders and is
+/// The scenes, with the whole suite's of thorough runs, and what lies beside them in the folders and is
 /// none. A model that a view file speaks for is not counted.
 struct SceneSelection {
     std::vector<SceneSource> sources;

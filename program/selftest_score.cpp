@@ -2,8 +2,8 @@
 
 #include <iostream>
 
+#include "program/common_arguments.h"
 #include "program/interrupt.h"
-#include "program/threads.h"
 #include "program/work_progress.h"
 
 namespace zproof::selftest {

@@ -9,7 +9,7 @@ namespace {
 using api::Scene;
 using api::View;
 
-/// Of a texture that is too long, a length that is refused as well.
+/// A length that is too long for a texture becomes one that is refused as well.
 int side_of(py::ssize_t length) {
     return int(std::min<py::ssize_t>(length, std::numeric_limits<int>::max()));
 }

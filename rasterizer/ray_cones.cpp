@@ -6,8 +6,8 @@ namespace zproof::rasterizer {
 
 namespace {
 
-/// Of one row of pixels, at depth 1 in perspective. The spread angle alpha is its arc tangent, and tan(alpha
-/// / 2) = p / (1 + sqrt(1 + p^2)).
+/// The height of one row of pixels, at depth 1 in perspective. The spread angle alpha is its arc tangent, and
+/// tan(alpha / 2) = p / (1 + sqrt(1 + p^2)).
 double radius_of(const View& view) {
     const Camera& camera = view.camera;
     const double pixel = (camera.window.top - camera.window.bottom) / view.height;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "rasterizer/surface.h"
-#include "rasterizer/textured_corners.h"
+#include "rasterizer/texel_map.h"
 #include "texture/footprint.h"
 
 namespace zproof::rasterizer {

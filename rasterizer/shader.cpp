@@ -1,10 +1,12 @@
 #include "rasterizer/shader.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <algorithm>
 
 #include "rasterizer/surface.h"
 #include "rasterizer/texel_map.h"
-#include "rasterizer/wrap_mode.h"
+#include "rasterizer/textured_surface.h"
 #include "texture/point_filters.h"
 
 namespace zproof::rasterizer {
@@ -94,6 +96,18 @@ LinearRgb Shader::colour_at(int x, int y, PrimitiveId primitive) const {
                       barycentrics(line, {from_eye(corners.x), from_eye(corners.y), from_eye(corners.z)})};
     const double facing = std::max(0.0, glm::dot(normal_to_viewer_world(point, line), toward_light_world_));
     return lit(base_colour(point), light_.ambient + light_.diffuse * facing);
+}
+
+Picture shade(const Scene& scene, const View& view, const Frame& frame, const Light& light) {
+    const Shader shader{scene, view, light};
+    Picture picture{frame.size()};
+    tbb::parallel_for(tbb::blocked_range<int>{0, view.height}, [&](const tbb::blocked_range<int>& rows) {
+        for (int y = rows.begin(); y != rows.end(); ++y)
+            for (int x = 0; x < view.width; ++x)
+                if (const PrimitiveId id = frame.primitive.at(x, y); id != PrimitiveId::none)
+                    picture.at(x, y) = shader.colour_at(x, y, id);
+    });
+    return picture;
 }
 
 }  // namespace zproof::rasterizer

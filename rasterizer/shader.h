@@ -1,4 +1,4 @@
-/// The colour of one pixel whose triangle is known.
+/// The colours of pixels whose triangles are known.
 #pragma once
 
 #include "frame/frame.h"
@@ -14,7 +14,7 @@ class Shader {
   public:
     Shader(const Scene& scene, const View& view, const Light& light);
 
-    /// The colour that shade() of shading.h gives. The primitive must be a triangle of the scene.
+    /// The colour that shade() gives. The primitive must be a triangle of the scene.
     LinearRgb colour_at(int x, int y, PrimitiveId primitive) const;
 
   private:
@@ -23,5 +23,12 @@ class Shader {
     const Light& light_;
     glm::dvec3 toward_light_world_;
 };
+
+/// Shades every pixel whose triangle the frame names; background is black. Attributes are interpolated
+/// perspective-correctly at the pixel's centre; base colour = factor x texture x vertex colour, the texture
+/// read at level 0 by its magnification filter; normals are the vertices' where all three have one, else the
+/// triangle's. Alpha is ignored. On the threads of the surrounding tbb::task_arena; ids must be triangles of
+/// the scene, or none.
+Picture shade(const Scene& scene, const View& view, const Frame& frame, const Light& light);
 
 }  // namespace zproof::rasterizer

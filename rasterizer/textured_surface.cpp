@@ -1,7 +1,6 @@
 #include "rasterizer/textured_surface.h"
 
-#include "rasterizer/textured_corners.h"
-#include "rasterizer/wrap_mode.h"
+#include "rasterizer/texel_map.h"
 
 namespace zproof::rasterizer {
 

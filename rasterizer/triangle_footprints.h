@@ -13,7 +13,7 @@ class TriangleFootprints {
     TriangleFootprints(const Homography<double>& texels_from_raster, const RayCones& cones)
         : map_{texels_from_raster}, cones_{cones} {}
 
-    /// Of pixel (x, y), with the cone of its ray.
+    /// The footprint of pixel (x, y), with the cone of its ray.
     texture::Footprint at(int x, int y, texture::Derivatives derivatives) const {
         texture::Footprint seen = texture::footprint(map_, x, y, derivatives);
         seen.cone = cones_.at(seen.centre_raster);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "compare/pixel_class.h"
-#include "frame/rgb8.h"
+#include "frame/picture.h"
 
 namespace zproof {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "frame/picture.h"
 #include "frame/plane.h"
-#include "frame/rgb8.h"
 
 namespace zproof {
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "frame/frame.h"
-#include "frame/rgb8.h"
+#include "frame/picture.h"
 
 namespace zproof {
 

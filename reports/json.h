@@ -20,7 +20,7 @@ std::string to_json(const Results& results);  ///< the same, in memory
 /// where a key is missing or of another type, and where the schema's major version is not ours.
 Results results_from_json(const std::string& text);
 
-/// The same as MessagePack, for another process of this program: text keeps bytes that are no UTF-8, which
+/// The results as MessagePack, for another process of this program: text keeps bytes that are no UTF-8, which
 /// to_json() replaces.
 std::string to_message_pack(const Results& results);
 Results results_from_message_pack(const std::string& bytes);

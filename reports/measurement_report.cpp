@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "reports/wording.h"
@@ -12,14 +11,6 @@ namespace {
 
 using measure::Bracket;
 using measure::Conformity;
-
-std::string with_digits(double value, int digits) {
-    std::array<char, 64> buffer{};
-    const auto end =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits)
-            .ptr;
-    return {buffer.data(), end};
-}
 
 /// "8.0 +- 1.2e-06 bits"
 std::string number_of(const Bracket& bracket, const std::string& unit) {

@@ -75,7 +75,7 @@ bool have_one_place(const ViewResult& a, const ViewResult& b) {
            std::tuple{b.place, b.view_place, b.scene_views};
 }
 
-/// Of a scene that could not be read, each of its shards says so.
+/// Each shard of a scene that could not be read says so.
 bool stand_for_one_scene(const ViewResult& a, const ViewResult& b) {
     return have_one_place(a, b) && a.scene_views == 0;
 }
@@ -87,7 +87,7 @@ void require_each_view_once(const std::vector<ViewResult>& views, const std::str
                "view " + twice->view + " of " + twice->scene + " is in two shards; run the shards again");
 }
 
-/// Of one scene. Shards that read it before and after it was changed are of no one run.
+/// The views are one scene's. Shards that read it before and after it was changed are of no one run.
 void require_one_scene(std::span<const ViewResult> views, const std::string& name) {
     std::set<std::string> contents;
     for (const ViewResult& view : views)
@@ -108,7 +108,8 @@ void for_each_scene(std::vector<ViewResult>& views, const Work& work) {
     }
 }
 
-/// Of one scene. What stands for a whole scene that could not be read has no views, and none is missing.
+/// The views are one scene's. What stands for a whole scene that could not be read has no views, and none is
+/// missing.
 std::size_t missing_views(std::span<const ViewResult> views) {
     const std::size_t all = std::ranges::max(views, {}, &ViewResult::scene_views).scene_views;
     const auto there = std::size_t(std::ranges::count(views, all, &ViewResult::scene_views));

@@ -23,7 +23,7 @@ class Merging {
     /// called once, with at least one shard.
     Results whole() &&;
 
-    /// The same, where some may be missing: these stand for what is not there, and what is there as well is
+    /// The results where some may be missing: these stand for what is not there, and what is there as well is
     /// dropped.
     Results partial(std::vector<ViewResult> missing) &&;
 

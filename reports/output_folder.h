@@ -17,9 +17,9 @@ namespace zproof {
 /// otherwise the constructor throws ReportError and touches nothing. The destructor removes what was not
 /// published.
 ///
-/// Of a folder that it replaces, only the files that .zproof-out lists go, and only where they are as they
-/// were written. Everything else is moved into the new folder, under its own name or, where that is taken,
-/// NAME.kept.
+/// Of the files in a folder that it replaces only those that .zproof-out lists go, and only where they are as
+/// they were written. Everything else is moved into the new folder, under its own name or, where that is
+/// taken, NAME.kept.
 class OutputFolder {
   public:
     /// Also tidies up after runs into the same PATH that were killed: what they had not finished is removed,

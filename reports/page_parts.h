@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "frame/picture.h"
 #include "frame/plane.h"
-#include "frame/rgb8.h"
 #include "reports/page_scripts.h"
 
 namespace zproof {

@@ -34,7 +34,7 @@ using Page = std::vector<PagePiece>;
 /// where one of the files cannot be read.
 void write_page(const TextSink& out, const Page& page);
 
-/// The same, in place of `file`. Throws ReportError where it cannot be written.
+/// Writes it in place of `file`. Throws ReportError where it cannot be written.
 void write_page(const std::filesystem::path& file, const Page& page);
 
 /// The text of the page that write_page() writes.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "math/srgb.h"
 #include "reports/class_colour.h"
 #include "reports/depth_colours.h"
 #include "reports/id_colours.h"
@@ -30,11 +31,7 @@ Plane<Rgb8> coloured(const Plane<T>& values, Colour colour) {
     return picture;
 }
 
-/// The sRGB transfer function (IEC 61966-2-1).
-std::uint8_t srgb(float linear) {
-    const double c = std::clamp(double{linear}, 0.0, 1.0);
-    return channel(c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055);
-}
+std::uint8_t srgb(float linear) { return channel(encoded_srgb(linear)); }
 
 Rgb8 colour_of_light(const LinearRgb& c) {
     if (std::isnan(c.r) || std::isnan(c.g) || std::isnan(c.b)) return no_depth_colour;

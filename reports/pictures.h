@@ -6,7 +6,6 @@
 #include "compare/pixel_class.h"
 #include "frame/frame.h"
 #include "frame/picture.h"
-#include "frame/rgb8.h"
 
 namespace zproof {
 

@@ -68,7 +68,7 @@ bool is_of_a_living_process(const fs::path& path, const fs::path& beside) {
     return ::kill(std::atoi(number.c_str()), 0) == 0 || errno != ESRCH;
 }
 
-/// Of what could not be removed, the list stays: the next run tries again.
+/// The list of what could not be removed stays: the next run tries again.
 void remove_with_list(const fs::path& old) {
     const Entries left = entries_below(old);
     const auto is_list = [](const fs::path& name) { return name == output_marker; };

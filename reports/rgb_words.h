@@ -6,7 +6,7 @@
 #include <cstring>
 #include <span>
 
-#include "frame/rgb8.h"
+#include "frame/picture.h"
 
 namespace zproof {
 

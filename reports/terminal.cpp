@@ -172,7 +172,7 @@ std::string totals(const Results& results) {
            counted(reference_defects, "reference defect") + "   " + fixed(time, 1) + " s";
 }
 
-/// Of an oracle that was asked about samples.
+/// The pixels that an oracle was asked about, where they are samples.
 std::string asked_pixels(const RendererRecord& r) {
     return r.pixels == r.of_pixels ? "" : sample_words(r.pixels, r.of_pixels, r.seed) + ", ";
 }

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "frame/rgb8.h"
+#include "frame/picture.h"
 
 namespace zproof {
 

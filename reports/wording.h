@@ -6,19 +6,12 @@
 #include <string_view>
 
 #include "frame/frame.h"
+#include "frame/number_text.h"
 #include "frame/printable.h"
 
 namespace zproof {
 
-/// The shortest decimal that reads back to the same bits; "nan", "inf", "-inf" otherwise.
-std::string shortest(double value);
-std::string shortest(float value);
-
-std::string hex_bits(float value);              ///< "0x3f800000"
-std::string grouped(std::uint64_t value);       ///< "12,345,678"
-std::string fixed(double value, int decimals);  ///< "12.30"
-std::string rounded(double value);              ///< three significant digits: "0.934", "41.2", "1.2e+07"
-std::string id_text(PrimitiveId id);            ///< "4711", or "none" for background
+std::string id_text(PrimitiveId id);  ///< "4711", or "none" for background
 
 /// "1 view", "2 views".
 std::string counted(std::uint64_t count, std::string_view noun);

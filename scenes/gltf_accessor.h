@@ -69,7 +69,7 @@ class Accessors {
     /// Throws SceneError for numbers that are not finite, for sparse indices that do not rise or are out of
     /// range, and for sparse accessors beyond limits::sparse_bytes.
     const Elements& elements(int accessor);
-    /// The same where some may be NaN or infinite.
+    /// Elements of which some may be NaN or infinite.
     const Elements& unchecked(int accessor);
     bool is_finite(int accessor);
 

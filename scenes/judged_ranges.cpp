@@ -49,7 +49,7 @@ struct Span {
     double share() const { return (high - low) / (reach() + beside); }
 };
 
-/// Of a parallel projection.
+/// The farthest plane of a parallel projection.
 double farthest_plane(const Camera& camera) {
     return std::max(std::abs(camera.near_depth), std::abs(camera.far_depth));
 }

@@ -9,7 +9,7 @@
 
 namespace zproof {
 
-/// Of vertices and eyes, and of all that a parallel projection gives in scene units.
+/// The largest of vertices and eyes, and of all that a parallel projection gives in scene units.
 inline constexpr double largest_judged_coordinate = 1e11;
 
 /// What lies outside of the ranges, with its value, the range and the remedy; empty where nothing does.

@@ -1,4 +1,4 @@
-#include "scenes/obj_file.h"
+#include "scenes/polygon_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,6 @@
 #include "scenes/gltf_limits.h"
 #include "scenes/gltf_materials.h"
 #include "scenes/obj_materials.h"
-#include "scenes/polygon_mesh.h"
 #include "scenes/refusal.h"
 
 namespace zproof {

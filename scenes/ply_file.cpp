@@ -1,4 +1,4 @@
-#include "scenes/ply_file.h"
+#include "scenes/polygon_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,6 @@
 #include "scenes/gltf_files.h"
 #include "scenes/gltf_limits.h"
 #include "scenes/ply_header.h"
-#include "scenes/polygon_mesh.h"
 #include "scenes/refusal.h"
 
 namespace zproof {

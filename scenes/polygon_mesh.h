@@ -1,4 +1,4 @@
-/// What the readers of OBJ and PLY share.
+/// The readers of OBJ and PLY, and what they share.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,14 @@
 #include <string_view>
 
 #include "scenes/loaded.h"
+#include "scenes/scene.h"
 
 namespace zproof {
 
 /// The float32 nearest to a decimal number; none for text that is none, and for numbers beyond float32.
 std::optional<float> finite_float(std::string_view text);
 
-/// Of length 1; 0 where it has no direction or is not finite.
+/// The normal at length 1; 0 where it has no direction or is not finite.
 glm::vec3 unit_normal(const glm::dvec3& normal);
 
 /// uv as glTF has it, v down, of uv whose v is up.
@@ -34,5 +35,13 @@ void note_count(Scene& scene, std::uint64_t count, const std::string& text);
 
 /// The scene with the view "frame-all". Throws SceneError where float32 cannot hold such an eye.
 Loaded with_default_view(const std::filesystem::path& file, Scene scene, int width, int height);
+
+/// Faces in file order, polygons as fans from their first corner; docs/scenes.md has the rest. Throws
+/// SceneError, naming the line.
+Scene load_obj_scene(const std::filesystem::path& file);
+
+/// Faces in file order, polygons as fans from their first corner; docs/scenes.md has the rest. Throws
+/// SceneError, naming the line of the header, the vertex or the face.
+Scene load_ply_scene(const std::filesystem::path& file);
 
 }  // namespace zproof

@@ -1,8 +1,8 @@
 #include "scenes/sample.h"
 
 #include <cmath>
-#include <iomanip>
-#include <sstream>
+
+#include "frame/number_text.h"
 
 namespace zproof {
 namespace {
@@ -17,11 +17,8 @@ bool is_sample_offset(const glm::dvec2& offset_px) {
     return is_sample_offset(offset_px.x) && is_sample_offset(offset_px.y);
 }
 
-std::string px_text(double offset_px) {
-    std::ostringstream text;
-    text << std::setprecision(9) << offset_px;  // 1/256 and its multiples have 8 at most
-    return text.str();
-}
+/// Multiples of 1/256 have 8 digits at most.
+std::string px_text(double offset_px) { return with_digits(offset_px, 9); }
 
 std::string sample_word(const Sample& sample) {
     if (sample.count > 1)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,8 +24,12 @@ struct TriangleLabels {
 /// The words that label_triangles() knows, "triangle" and "none" among them.
 const std::vector<std::string>& label_words();
 
-/// The labels that a word stands for: one of label_words() but "triangle", or a file (scenes/label_file.h).
-/// Throws SceneError for a file that cannot be read or does not fit the scene.
+/// The labels that a word stands for: one of label_words() but "triangle", or a file
+/// (scenes/triangle_labels.h). Throws SceneError for a file that cannot be read or does not fit the scene.
 TriangleLabels label_triangles(const std::string& word, const Scene& scene);
+
+/// Reads a list with a label for each triangle, [0, 0, 7, ...], or with runs of triangles in order,
+/// [{"count": 12, "label": 7}, ...]. Throws SceneError where it has not exactly `triangles` of them.
+std::vector<std::uint32_t> read_label_file(const std::filesystem::path& file, std::size_t triangles);
 
 }  // namespace zproof

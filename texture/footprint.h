@@ -4,7 +4,7 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "math/homography.h"
+#include "math/affine.h"
 
 namespace zproof::texture {
 

@@ -58,7 +58,7 @@ Extent extent(const ConvexPart& part, int axis) {
     return all;
 }
 
-/// Of a part between the lines v = low and v = low + 1: all u at which it reaches from one to the other.
+/// All u at which a part reaches from the line v = low to v = low + 1.
 Extent full_height(const ConvexPart& part, double low) {
     constexpr double inf = std::numeric_limits<double>::infinity();
     Extent all{-inf, inf};

@@ -4,16 +4,15 @@
 #include <array>
 #include <cmath>
 
+#include "math/srgb.h"
+
 namespace zproof::texture {
 
 namespace {
 
 std::array<double, 256> srgb_table() {
     std::array<double, 256> table{};
-    for (std::size_t code = 0; code < table.size(); ++code) {
-        const double c = double(code) / 255;
-        table[code] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-    }
+    for (std::size_t code = 0; code < table.size(); ++code) table[code] = decoded_srgb(double(code) / 255);
     return table;
 }
 

@@ -2,7 +2,6 @@
 
 #include "compare/judge.h"
 #include "compare/labels/labelled_frame.h"
-#include "compare/labels/own_depths.h"
 #include "frame/joined.h"
 #include "frame/precision_presets.h"
 #include "frame/precision_text.h"

@@ -50,7 +50,7 @@ void require_inside(int x, int y, Size size) {
                      std::to_string(size.height)};
 }
 
-/// Of what makes it a defect. A NaN comes last.
+/// The error of what makes it a defect. A NaN comes last.
 double error_of(const zproof::Finding& f) {
     const double error = f.wrong_attribute ? f.wrong_attribute->error_over_bound : f.error_over_bound;
     return std::isnan(error) ? -1 : error;

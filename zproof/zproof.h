@@ -32,7 +32,7 @@ struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Of pictures and textures.
+/// The largest side of pictures and textures.
 inline constexpr int largest_side = 32768;
 
 /// In pixels, 1 to largest_side on either side.

@@ -4,7 +4,6 @@
 #include <optional>
 #include <string_view>
 
-#include "cli/gate/shard_environment.h"
 #include "math/sha256.h"
 #include "program/usage_error.h"
 

@@ -1,4 +1,4 @@
-#include "cli/gate/shard_environment.h"
+#include "cli/gate/shard.h"
 
 #include <array>
 #include <charconv>
@@ -6,7 +6,6 @@
 #include <limits>
 #include <string>
 
-#include "cli/gate/shard.h"
 #include "frame/joined.h"
 #include "program/usage_error.h"
 

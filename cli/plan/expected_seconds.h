@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "program/scene_selection.h"
+#include "program/settings.h"
 #include "reports/plan.h"
 #include "reports/results.h"
 #include "scenes/scene.h"
@@ -35,7 +37,12 @@ class EarlierRun {
 PlannedScene expected_of(const std::string& name, const Scene& scene, const std::vector<View>& views,
                          double slowness);
 
-/// The same of a scene that has no view to judge: it cannot be read, or has no triangles.
+/// What a scene costs that has no view to judge: it cannot be read, or has no triangles.
 PlannedScene expected_of_none(const std::string& name, double slowness);
+
+/// Its views, and what they are expected to take. It is read in a process of its own: where its reader
+/// refuses, crashes or needs too much memory it is a scene without views, and its shard says why. To be
+/// called before this process has any thread but one.
+PlannedScene unknown_scene(const SceneSource& source, const RenderSettings& settings, double slowness);
 
 }  // namespace zproof

@@ -48,7 +48,7 @@ std::string shard_command(const std::filesystem::path& plan, int number, const s
 /// What one run of a plan leaves in a folder: all of it, or a folder of its own where there are several runs.
 std::filesystem::path folder_of(const PlannedRun& run, const std::filesystem::path& folder);
 
-/// The same arguments, for one run of a plan.
+/// The arguments as they are for one run of a plan.
 ReportArguments report_of(const PlannedRun& run, const ReportArguments& report);
 
 }  // namespace zproof

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "cli/plan/arguments.h"
+#include "cli/arguments.h"
 #include "reports/plan.h"
 
 namespace zproof {

@@ -1,4 +1,4 @@
-#include "cli/plan/unknown_scene.h"
+#include "cli/plan/expected_seconds.h"
 
 #include <algorithm>
 #include <chrono>
@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "cli/memory.h"
-#include "cli/plan/expected_seconds.h"
 #include "frame/frame_error.h"
 #include "oracle/isolated.h"
 #include "program/samples.h"

@@ -23,6 +23,7 @@
 #include "rasterizer/rasterizer.h"
 
 namespace zproof {
+
 namespace {
 
 /// What it does once it has met a scene.
@@ -237,6 +238,13 @@ Renderer open(const RendererChoice& choice, const Scene& scene) {
             .begin_sample = std::move(answers.begin_sample),
             .channels = std::move(answers.channels),
             .labels = std::move(labels)};
+}
+
+measure::Renderer measured_renderer(const RendererChoice& choice) {
+    return {
+        .name = name_of(choice),
+        .render = [choice](const Scene& scene, const View& view) { return open(choice, scene).render(view); },
+        .declared = declared_precision(choice)};
 }
 
 }  // namespace zproof

@@ -12,6 +12,7 @@
 #include "frame/picture.h"
 #include "frame/precision.h"
 #include "image_io/image_io.h"
+#include "measure/renderer.h"
 #include "reports/results.h"
 #include "scenes/light.h"
 #include "scenes/pixel_lattice.h"
@@ -71,5 +72,8 @@ IdChannel id_channel_of(const RendererChoice& choice);
 /// labels that its ids are to stand for. Throws OracleError where it is absent or refuses, SceneError where
 /// the labels are no scene's.
 Renderer open(const RendererChoice& choice, const Scene& scene);
+
+/// Throws FrameError where what it declares cannot be understood; its pictures throw what open() throws.
+measure::Renderer measured_renderer(const RendererChoice& choice);
 
 }  // namespace zproof

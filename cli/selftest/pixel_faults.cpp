@@ -11,20 +11,20 @@ Expected one(PixelClass c) { return {.classes = {c}, .count = 1}; }
 
 using Change = std::function<void(const Fixture&, Pixel, PrimitiveId&, float&)>;
 
-enum class Where { triangle, background };
+enum class Shown { triangle, background };
 
 /// A frame whose one pixel is changed.
-std::function<Frame(const Fixture&)> at_one_pixel(Where where, const Change& change) {
+std::function<Frame(const Fixture&)> at_one_pixel(Shown shown, const Change& change) {
     return [=](const Fixture& fixture) {
         Frame frame = fixture.good;
-        const Pixel p = where == Where::triangle ? amid_a_triangle(fixture) : amid_background(fixture);
+        const Pixel p = shown == Shown::triangle ? amid_a_triangle(fixture) : amid_background(fixture);
         change(fixture, p, frame.primitive.at(p.x, p.y), frame.camera_depth.at(p.x, p.y));
         return frame;
     };
 }
 
 Fault of_id(const std::string& name, const std::string& sentence, PixelClass c, const Change& change) {
-    return {name, sentence, one(c), at_one_pixel(Where::triangle, change)};
+    return {name, sentence, one(c), at_one_pixel(Shown::triangle, change)};
 }
 
 Fault of_depth(const std::string& name, const std::string& sentence, PixelClass c,
@@ -32,12 +32,12 @@ Fault of_depth(const std::string& name, const std::string& sentence, PixelClass 
     const Change change = [=](const Fixture& fixture, Pixel p, PrimitiveId&, float& depth) {
         depth = depth_of(admissible_depths(fixture, p));
     };
-    return {name, sentence, one(c), at_one_pixel(Where::triangle, change)};
+    return {name, sentence, one(c), at_one_pixel(Shown::triangle, change)};
 }
 
 Fault of_background(const std::string& name, const std::string& sentence, PixelClass c,
                     const Change& change) {
-    return {name, sentence, one(c), at_one_pixel(Where::background, change)};
+    return {name, sentence, one(c), at_one_pixel(Shown::background, change)};
 }
 
 float first_float_above(double bound) {

@@ -14,18 +14,18 @@ constexpr double error_in_camera = 4 * unit_roundoff_float64;
 double size_of(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
 /// The place in camera space where an edge meets the eye's depth, and how far each coordinate may be off.
-struct Meeting {
+struct EyeCrossing {
     glm::dvec3 place, error;
 };
 
-Meeting meeting_with_eye(const glm::dvec3& before, const glm::dvec3& behind, double error) {
+EyeCrossing crossing_at_eye(const glm::dvec3& before, const glm::dvec3& behind, double error) {
     const glm::dvec3 per_depth = (behind - before) / (before.z - behind.z);
     return {before + before.z * per_depth, error * (1.0 + glm::abs(per_depth))};
 }
 
 /// What passes the eye's depth goes to infinity in the image, towards the side of the place where it does.
-void extend(Box& box, const Meeting& meeting) {
-    const auto& [place, error] = meeting;
+void extend(Box& box, const EyeCrossing& crossing) {
+    const auto& [place, error] = crossing;
     if (!(place.x < -error.x)) box.right = Box::without_end;
     if (!(place.x > error.x)) box.left = -Box::without_end;
     if (!(place.y < -error.y)) box.top = -Box::without_end;
@@ -85,7 +85,7 @@ std::optional<Box> BoxProjection::before_eye(const CornersWorld& p_world) const 
     for (std::size_t i = 0; i < 3; ++i)
         for (const std::size_t other : {(i + 1) % 3, (i + 2) % 3})
             if (is_before(p_camera[i]) && !is_before(p_camera[other]))
-                extend(box, meeting_with_eye(p_camera[i], p_camera[other], error));
+                extend(box, crossing_at_eye(p_camera[i], p_camera[other], error));
     return box;
 }
 

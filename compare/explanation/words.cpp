@@ -4,16 +4,14 @@
 
 #include "compare/explanation/explain.h"
 
+#include "frame/number_text.h"
+
 namespace zproof {
 
 namespace {
 
 std::string number(double value, int digits) {
-    if (std::isnan(value)) return "not a number";
-    std::ostringstream text;
-    text.precision(digits);
-    text << value;
-    return text.str();
+    return std::isnan(value) ? "not a number" : with_digits(value, digits);
 }
 
 std::string name_of(PrimitiveId primitive) {

@@ -1,4 +1,4 @@
-#include "compare/labels/own_depths.h"
+#include "compare/labels/labelled_frame.h"
 
 #include <tbb/parallel_for.h>
 

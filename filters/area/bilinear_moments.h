@@ -5,7 +5,7 @@
 #include "filters/area/pixel_weight.h"
 #include "filters/area/polygon.h"
 #include "filters/area/texel_walk.h"
-#include "math/homography.h"
+#include "math/affine.h"
 
 namespace zproof::oracle::area {
 

@@ -9,7 +9,7 @@
 #include <array>
 #include <optional>
 
-#include "math/homography.h"
+#include "math/affine.h"
 #include "math/rational.h"
 #include "math/sign.h"
 #include "math/vector3.h"

@@ -10,7 +10,7 @@
 
 #include "filters/area/number.h"
 #include "filters/area/polygon.h"
-#include "math/homography.h"
+#include "math/affine.h"
 
 namespace zproof::oracle::area {
 

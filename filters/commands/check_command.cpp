@@ -7,10 +7,10 @@
 #include "filters/commands/joint_check.h"
 #include "filters/reference/admissible_surfaces.h"
 #include "filters/selftest/filter_fault.h"
-#include "oracle/convention/stored_picture.h"
+#include "oracle/convention/stored_frame.h"
+#include "program/common_arguments.h"
 #include "program/interrupt.h"
 #include "program/study_scenes.h"
-#include "program/threads.h"
 #include "program/usage_error.h"
 #include "program/work_progress.h"
 
@@ -98,7 +98,8 @@ class FilterChecker {
     }
 
   private:
-    /// Of what has a promise of its own. Beside zproof's, which is exact, no joint error could hide.
+    /// The joint errors of what has a promise of its own. Beside zproof's, which is exact, no joint error
+    /// could hide.
     std::optional<JointConformance> joint_of(const Picture& picture, const FilterFixture& fixture,
                                              const FilterClaim& claim) const {
         if (!arguments_.precision && arguments_.picture.empty()) return {};

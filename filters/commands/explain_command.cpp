@@ -5,8 +5,8 @@
 #include "filters/commands/configured_method.h"
 #include "filters/reference/admissible_surfaces.h"
 #include "filters/report/inspection_words.h"
+#include "program/common_arguments.h"
 #include "program/study_scenes.h"
-#include "program/threads.h"
 #include "program/usage_error.h"
 
 namespace zproof {

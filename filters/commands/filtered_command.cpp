@@ -1,10 +1,10 @@
 #include "filters/commands/commands.h"
 #include "image_io/image_io.h"
+#include "program/common_arguments.h"
 #include "program/folder_names.h"
 #include "program/interrupt.h"
 #include "program/samples.h"
 #include "program/scene_selection.h"
-#include "program/threads.h"
 #include "reports/pictures.h"
 
 namespace zproof {

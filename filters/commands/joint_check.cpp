@@ -19,7 +19,7 @@ using oracle::FilterSettings;
 using selftest::FilterClaim;
 using selftest::FilterFixture;
 
-/// Of the differences by which the picture's change is found: small beside a texel and a level, large beside
+/// The differences by which the picture's change is found: small beside a texel and a level, large beside
 /// what the reference leaves open (2^-24).
 constexpr double step = 0x1p-10;
 
@@ -79,7 +79,7 @@ class ChangedDefinitions {
   private:
     FilterSettings settings() const { return selftest::reference_settings(claim_.options, claim_.precision); }
 
-    /// Of a scene that the reference keeps; of the fixture's where there is none.
+    /// The reference of a scene that it keeps; of the fixture's where there is none.
     PixelReference made(std::shared_ptr<const Scene> scene, const FilterSettings& settings) const {
         const auto reference = std::make_shared<const FilterReference>(
             scene ? *scene : fixture_.scene, fixture_.view, *oracle::find_filter_definition(claim_.method),

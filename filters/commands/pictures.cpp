@@ -5,7 +5,7 @@
 
 #include "filters/report/folder.h"
 #include "frame/frame_error.h"
-#include "oracle/convention/stored_picture.h"
+#include "oracle/convention/stored_frame.h"
 #include "oracle/external.h"
 #include "oracle/oracle_error.h"
 #include "program/usage_error.h"

@@ -5,8 +5,8 @@
 #include "filters/commands/commands.h"
 #include "filters/report/tables.h"
 #include "filters/study/published_results.h"
+#include "program/common_arguments.h"
 #include "program/nearest_word.h"
-#include "program/threads.h"
 #include "reports/wording.h"
 
 namespace zproof {

@@ -42,7 +42,7 @@ struct Conformance {
 /// The permitted range that has to be widened least to hold the colour, the first of equals.
 const ColourRange& nearest_range(const LinearRgb& colour, const PermittedColours& permitted);
 
-/// Of all ranges together, averaged over the channels.
+/// The width of all ranges together, averaged over the channels.
 double width_of(const PermittedColours& permitted);
 
 /// How far the nearest permitted range would have to be widened about its middle to hold the colour: |v -

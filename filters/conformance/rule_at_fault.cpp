@@ -77,7 +77,7 @@ RelaxationQuery query_of(const Picture& picture, const std::vector<FilterPixel>&
     return query;
 }
 
-/// The same errors with the other sign: each colour is reflected about the middle of what is permitted.
+/// Turns the sign of all errors: each colour is reflected about the middle of what is permitted.
 RelaxationQuery reflected(RelaxationQuery query) {
     for (auto& [at, colour] : query.pixels) {
         const ColourRange right = nearest_range(colour, query.reference(at.x, at.y, query.declared));

@@ -33,7 +33,7 @@ double lanczos2(double d) { return sinc(d) * sinc(d / 2); }
 
 double gaussian(double d) { return std::exp(-2 * d * d) - std::exp(-8.0); }
 
-/// Of a profile whose weights sum to 1 anywhere, and of one whose weights are divided by their sum.
+/// The weights of a profile sum to 1 anywhere, or are divided by their sum.
 enum class WeightSum { one, divided };
 
 template <Profile profile, WeightSum sum>
@@ -91,7 +91,7 @@ struct TwoReads {
     }
 };
 
-/// The same sixteen texels by four bilinear reads.
+/// Reads the sixteen texels by four bilinear reads.
 struct FourBilinearReads {
     LinearImage image;
     Addressing wrap;

@@ -55,7 +55,8 @@ double interleaved_number(std::uint32_t frame, const glm::dvec2& pixel) {
     return glm::fract(52.9829189 * glm::fract(0.06711056 * at.x + 0.00583715 * at.y));
 }
 
-/// Of the mask's 4096, in the middle of its step; every frame moves it on by the golden ratio, in 2^-32.
+/// One of the mask's 4096 numbers, in the middle of its step; every frame moves it on by the golden ratio, in
+/// 2^-32.
 double blue_number(std::uint32_t frame, const glm::dvec2& pixel) {
     const auto cell = [](double at) {
         const double within = at - blue_noise_side * std::floor(at / blue_noise_side);

@@ -4,7 +4,7 @@
 #include "filters/metrics/convolution.h"
 #include "filters/metrics/map.h"
 #include "filters/metrics/metrics.h"
-#include "filters/metrics/srgb.h"
+#include "math/srgb.h"
 
 namespace zproof {
 

@@ -7,7 +7,7 @@ namespace zproof::oracle::filter_reference {
 
 namespace {
 
-/// Of a place this wide, two texels, any mean of the levels is permitted.
+/// A place this wide, two texels, permits any mean of the levels.
 bool covers_two_texels(const TexelInterval& place) {
     return !(place.u.high() - place.u.low() < 2 && place.v.high() - place.v.low() < 2);
 }

@@ -25,7 +25,7 @@ class Mask {
     int size() const { return int(set_.size()); }
     std::int64_t energy(int cell) const { return energy_[std::size_t(cell)]; }
     int largest_void() const { return empty_.begin()->second; }
-    /// Of the points of the greatest sum the first.
+    /// The first of the points of the greatest sum.
     int tightest() const { return set_.lower_bound({set_.rbegin()->first, 0})->second; }
 
     void toggle(int cell) {

@@ -24,7 +24,7 @@ Points points_near(const Interval& place, int a_texel) {
     return {std::int64_t(std::floor(at.low())), std::int64_t(std::floor(at.high()))};
 }
 
-/// Of a place this wide, a texel of the finest level, all that any entry can make of the levels is permitted.
+/// A place this wide, a texel of the finest level, permits all that any entry can make of the levels.
 bool covers_a_texel(const TexelInterval& place) {
     return !(place.u.high() - place.u.low() < 1 && place.v.high() - place.v.low() < 1);
 }

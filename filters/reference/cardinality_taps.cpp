@@ -108,7 +108,7 @@ class Entry {
     /// A millionth of the target's square, 1 / side^2.
     double little() const { return 0x1p-20 / (side_ * side_); }
 
-    /// Of sum 1: (products + little I) w + multiplier = with_target.
+    /// Weights of sum 1: (products + little I) w + multiplier = with_target.
     std::vector<double> weights_of(const Set& set) const {
         std::vector<std::vector<double>> rows;
         for (const std::size_t i : set) {

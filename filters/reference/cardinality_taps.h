@@ -20,8 +20,8 @@ class ChosenTexels {
 
     explicit ChosenTexels(int most) : most_{most} {}
 
-    /// Of a place in eighths of a texel and a LOD in eighths of a level, above the finest of the three
-    /// levels. Found when first asked for; from many threads.
+    /// The texels for a place in eighths of a texel and a LOD in eighths of a level, above the finest of the
+    /// three levels. Found when first asked for; from many threads.
     const std::vector<ChosenTexel>& at(int u, int v, int lod);
 
   private:
@@ -30,7 +30,7 @@ class ChosenTexels {
     std::vector<std::once_flag> once_{std::size_t(places * places * lods)};
 };
 
-/// The same for all of the program's references.
+/// The one table of all of the program's references.
 ChosenTexels& chosen_texels(int most);
 
 }  // namespace zproof::oracle::filter_reference

@@ -21,7 +21,7 @@ struct Axis {
     Wrap wrap = Wrap::repeat;
 };
 
-/// Of every texel of the coarser level.
+/// The sources of every texel of the coarser level.
 std::vector<Sources> all_sources(ChainKernel kernel, const Axis& axis);
 
 /// What rounding a level to what it is kept as may cost: relative, and the least.
@@ -43,7 +43,8 @@ IntervalImage shrunk(const IntervalImage& finer, int width, int height, const Se
 /// exact.
 std::vector<IntervalImage> chain(const texture::LinearImage& image, const Settings& settings);
 
-/// The same, its texels weighed by the surfaces' area that they cover; where no surface is known, as chain().
+/// The chain whose texels are weighed by the surfaces' area that they cover; where no surface is known, as
+/// chain().
 std::vector<IntervalImage> chain_by_area(const texture::LinearImage& image, const Settings& settings);
 
 }  // namespace zproof::oracle::filter_reference

@@ -53,7 +53,7 @@ struct FilterQuery {
 /// A texture made ready for one definition. Throws UndecidedSign where intervals cannot tell.
 using MethodReference = std::function<PermittedColours(const FilterQuery&)>;
 
-/// The same for what a stochastic definition may draw.
+/// What a stochastic definition may draw.
 using DrawReference = std::function<ColourDraws(const FilterQuery&)>;
 
 struct Definition {

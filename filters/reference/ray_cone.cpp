@@ -52,8 +52,8 @@ IntervalVector ray_through(const View& view, const Interval& x, const Interval& 
     return {widen(ray.x, error), widen(ray.y, error), widen(ray.z, error)};
 }
 
-/// Of the cone at distance 1 in perspective: tan(alpha / 2) = p / (1 + sqrt(1 + p^2)) with tan(alpha) = p, a
-/// pixel's height at depth 1. Half a pixel's height of a parallel projection.
+/// The radius of the cone at distance 1 in perspective: tan(alpha / 2) = p / (1 + sqrt(1 + p^2)) with
+/// tan(alpha) = p, a pixel's height at depth 1. Half a pixel's height of a parallel projection.
 Interval radius_of(const View& view) {
     const Camera& camera = view.camera;
     const Interval one{1},

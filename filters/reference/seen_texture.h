@@ -9,7 +9,7 @@
 
 #include "filters/conformance/filter_precision.h"
 #include "filters/reference/barycentrics.h"
-#include "math/homography.h"
+#include "math/affine.h"
 #include "math/interval_functions.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"

@@ -19,7 +19,7 @@ std::int64_t product(const Line& a, const Line& b) {
     return sum;
 }
 
-/// Of one 16th: 1 where the square is.
+/// A line of 16ths: 1 where the square is.
 Line square_at(int centre, int half) {
     Line line{};
     for (int i = 0; i < line_length; ++i)

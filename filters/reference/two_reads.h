@@ -18,8 +18,8 @@ class TwoReadsSearch {
   public:
     static constexpr int most_side = 32, cells = 8;
 
-    /// Of a side in eighths of a texel of the finer level, 8 to most_side, and the eighth of a texel of the
-    /// coarser level that holds the place. Found when first asked for; from many threads.
+    /// The reads for a side in eighths of a texel of the finer level, 8 to most_side, and the eighth of a
+    /// texel of the coarser level that holds the place. Found when first asked for; from many threads.
     const TwoReadsFound& at(int side, int column, int row);
 
   private:
@@ -28,7 +28,7 @@ class TwoReadsSearch {
     std::vector<std::once_flag> once_{entries};
 };
 
-/// The same for all of the program's references.
+/// The one search of all of the program's references.
 TwoReadsSearch& two_reads_search();
 
 }  // namespace zproof::oracle::filter_reference

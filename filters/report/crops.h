@@ -5,7 +5,6 @@
 #include <string>
 
 #include "frame/picture.h"
-#include "frame/rgb8.h"
 
 namespace zproof {
 

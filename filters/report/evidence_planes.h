@@ -40,9 +40,9 @@ class EvidencePlanes {
   public:
     explicit EvidencePlanes(const study::ViewEvidence& evidence);
 
-    /// Of the view's size; the label is unique.
+    /// A picture has the view's size; its label is unique.
     void add_picture(const std::string& label, const Picture& picture);
-    /// Of a picture that was added.
+    /// The claim is of a picture that was added.
     void add_claim(const ClaimedPicture& claimed);
     void add_flip(const std::string& label, const Plane<double>& flip);
 

@@ -1,11 +1,10 @@
 #include "filters/report/inspection_words.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "frame/joined.h"
+#include "frame/number_text.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -15,12 +14,7 @@ namespace {
 using namespace study;
 
 /// Four significant digits.
-std::string short_number(double value) {
-    std::array<char, 32> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4).ptr;
-    return {text.data(), end};
-}
+std::string short_number(double value) { return with_digits(value, 4); }
 
 std::string pair_of(const glm::dvec2& p) { return "(" + short_number(p.x) + ", " + short_number(p.y) + ")"; }
 

@@ -56,7 +56,7 @@ ColumnRule rule_of(const std::string& name, double Flicker::*part, int decimals)
             [=](const MethodScore& m, const RegionScore& score) { return cell(value(m, score), decimals); }};
 }
 
-/// Of pictures of others it is as unknown as what they read.
+/// It is unknown for pictures of others, as what they read is.
 ColumnRule stored_rule() {
     const auto value = [](const MethodScore& m, const RegionScore&) {
         return std::isnan(m.cost.texels) ? m.cost.texels : double(m.cost.bytes_stored);

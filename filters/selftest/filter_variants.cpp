@@ -43,7 +43,8 @@ struct BoxFilter {
     }
 };
 
-/// Of at most four texels, least squares without a condition on the sum; in the finest level's texels.
+/// Weights of at most four texels, by least squares without a condition on the sum; in the finest level's
+/// texels.
 glm::dvec4 free_weights(std::span<const texture::TableTap> taps, const glm::dvec2& place, double half) {
     std::vector<BoxFilter> boxes;
     for (const texture::TableTap& tap : taps) {

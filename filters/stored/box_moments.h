@@ -17,7 +17,7 @@ class MomentTables {
   public:
     MomentTables(const LinearImage& image, const Addressing& addressing, SatStorage storage);
 
-    /// Of the texels as squares, over a box anywhere on the wrapped texture.
+    /// The moments of the texels as squares, over a box anywhere on the wrapped texture.
     Moments over(const Extent& columns, const Extent& rows) const;
 
   private:

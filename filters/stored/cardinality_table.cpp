@@ -45,7 +45,7 @@ std::vector<Candidate> candidates(const Box& target) {
 
 using Matrix = std::vector<std::vector<double>>;
 
-/// Of a symmetric positive definite matrix, by elimination.
+/// The inverse of a symmetric positive definite matrix, by elimination.
 Matrix inverse(Matrix a) {
     const std::size_t n = a.size();
     Matrix b(n, std::vector<double>(n));

@@ -18,7 +18,7 @@ struct Codes {
 };
 
 /// Sums over texels [0, i] x [0, j] at every (i, j), laid out as the codes are; sums.size() == values.size().
-/// The same for any number of threads: whole numbers have no order.
+/// Sums do not depend on the number of threads: whole numbers have no order.
 void sum_codes(const Codes<std::uint8_t>& codes, std::span<std::uint32_t> sums);
 void sum_codes(const Codes<std::uint16_t>& codes, std::span<std::uint32_t> sums);
 

@@ -25,8 +25,8 @@ class TwoReadsTable {
 
     TwoReadsTable();
 
-    /// Of a side from `least_side` to `most_side` and the cell that holds the place, from 0 to `cells`
-    /// exclusive.
+    /// The reads for a side from `least_side` to `most_side` and the cell that holds the place, from 0 to
+    /// `cells` exclusive.
     TwoReads at(int side, const glm::ivec2& cell) const;
 
   private:

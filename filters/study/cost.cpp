@@ -7,7 +7,6 @@
 
 #include "frame/joined.h"
 #include "rasterizer/textured_surface.h"
-#include "rasterizer/wrap_mode.h"
 
 namespace zproof::study {
 

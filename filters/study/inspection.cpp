@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "rasterizer/textured_surface.h"
 #include "rasterizer/triangle_footprints.h"
-#include "rasterizer/wrap_mode.h"
 
 namespace zproof::study {
 
@@ -119,7 +119,7 @@ bool has_known_weights(const ConfiguredMethod& method) {
     return !method.paint && !method.texturing.options.given_levels;
 }
 
-/// Of a large table of repeated sums it is not told.
+/// A large table of repeated sums does not tell it.
 bool tells_what_it_keeps(const Sampler& sampler) {
     return std::ranges::all_of(sampler.stored, [](const auto& image) { return bool(image.made_of); });
 }

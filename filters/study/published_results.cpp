@@ -138,12 +138,12 @@ class Drawing {
     Frame frame_;
 };
 
-struct Apart {
+struct Difference {
     double mean_square = 0, most = 0;
 };
 
-Apart apart(const LinearPicture& a, const LinearPicture& b) {
-    Apart found;
+Difference difference(const LinearPicture& a, const LinearPicture& b) {
+    Difference found;
     for (std::size_t i = 0; i < a.pixels().size(); ++i) {
         const glm::dvec3 d = glm::abs(a.pixels()[i] - b.pixels()[i]);
         found.mean_square += glm::dot(d, d) / (3 * double(a.pixels().size()));
@@ -156,7 +156,7 @@ Apart apart(const LinearPicture& a, const LinearPicture& b) {
 std::vector<PublishedFigure> sigg_hadwiger_2005() {
     const Drawing drawing{"magnification", 128};
     return {{"greatest difference of 16 taps and 4 bilinear reads", "", 0,
-             apart(drawing.by("bspline"), drawing.by("bspline-bilinear")).most, 7}};
+             difference(drawing.by("bspline"), drawing.by("bspline-bilinear")).most, 7}};
 }
 
 /// The mean square distance from the filter that is expected falls as one over the number of samples.
@@ -164,7 +164,7 @@ std::vector<PublishedFigure> stochastic_variance() {
     const Drawing drawing{"worked", 256};
     const LinearPicture expected = drawing.by("trilinear-gl");
     const auto variance = [&](int samples) {
-        return apart(drawing.by("stochastic-trilinear", {.samples = samples}), expected).mean_square;
+        return difference(drawing.by("stochastic-trilinear", {.samples = samples}), expected).mean_square;
     };
     const double of_one = variance(1);
     std::vector<PublishedFigure> figures;

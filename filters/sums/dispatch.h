@@ -1,16 +1,26 @@
 /// Which kernels this machine can run.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "filters/sums/kernel.h"
+#include "math/processor.h"
 
 namespace zproof::texture::sums {
 
-/// The kernels that the processor says it can run, narrowest first; scalar runs everywhere.
-std::vector<Kernel> available_kernels();
+/// In the order of InstructionSet.
+inline constexpr std::array kernels{
+    &scalar::kernel,
+#ifdef __x86_64__
+    &avx2::kernel,
+    &avx512::kernel,
+#endif
+};
 
-/// The one for widest_allowed() (math/processor.h).
-const Kernel& widest_kernel();
+inline std::vector<Kernel> available_kernels() { return available_of(kernels); }
+
+/// The one for widest_allowed().
+inline const Kernel& widest_kernel() { return widest_of(kernels); }
 
 }  // namespace zproof::texture::sums

@@ -10,7 +10,7 @@
 #include "compare/judge.h"
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"
-#include "rasterizer/shading.h"
+#include "rasterizer/shader.h"
 
 namespace zproof::study::cost {
 namespace {

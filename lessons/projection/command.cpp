@@ -11,7 +11,7 @@
 #include "oracle/povray.h"
 #include "program/interrupt.h"
 #include "rasterizer/rasterizer.h"
-#include "rasterizer/shading.h"
+#include "rasterizer/shader.h"
 #include "reports/pictures.h"
 
 namespace zproof {

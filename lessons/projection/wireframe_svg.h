@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "frame/picture.h"
 #include "frame/plane.h"
-#include "frame/rgb8.h"
 #include "lessons/projection/edge_distance.h"
 #include "lessons/projection/wireframe.h"
 

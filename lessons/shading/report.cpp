@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "math/srgb.h"
 #include "reports/pages/error_colours.h"
 #include "reports/wording.h"
 
@@ -25,14 +26,12 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// Linear light as sRGB shows it (IEC 61966-2-1); nothing is dark blue.
+/// Linear light as sRGB shows it; nothing is dark blue.
 Plane<Rgb8> shown(const Plane<double>& intensity) {
     Plane<Rgb8> picture(intensity.size(), Rgb8{20, 24, 48});
     for (std::size_t i = 0; i < intensity.pixels().size(); ++i) {
-        const double light = std::clamp(intensity.pixels()[i], 0.0, 1.0);
         if (std::isnan(intensity.pixels()[i])) continue;
-        const double code = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-        const auto grey = std::uint8_t(std::lround(255 * code));
+        const auto grey = std::uint8_t(std::lround(255 * encoded_srgb(intensity.pixels()[i])));
         picture.pixels()[i] = {grey, grey, grey};
     }
     return picture;

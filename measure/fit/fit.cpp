@@ -92,7 +92,7 @@ class Fitter {
     /// Sets right_ and displaced_.
     void sort_out(const Answers& answers);
     void tell(const PlaceFit& place, const DepthFit& depth);
-    void leave_out(const Answers& answers, LeftOut::Why why);
+    void leave_out(const Answers& answers, LeftOut::Reason reason);
 
     const Scene& scene_;
     const View& view_;
@@ -144,8 +144,8 @@ std::uint64_t Fitter::open(Mesh mesh, const Allowance& allowance) {
     return count;
 }
 
-void Fitter::leave_out(const Answers& answers, LeftOut::Why why) {
-    for (const PixelAnswer& a : answers) fit_.left_out.push_back({a.pixel, a.answer, why});
+void Fitter::leave_out(const Answers& answers, LeftOut::Reason reason) {
+    for (const PixelAnswer& a : answers) fit_.left_out.push_back({a.pixel, a.answer, reason});
 }
 
 ViewFit Fitter::operator()() {
@@ -175,7 +175,7 @@ ViewFit Fitter::operator()() {
         fit_.trade.push_back({eps_px, fit_depth(kept, eps_px).kept.error});
     }
     tell(place, depth);
-    leave_out(answers.none, LeftOut::Why::no_answer);
+    leave_out(answers.none, LeftOut::Reason::no_answer);
     return std::move(fit_);
 }
 
@@ -191,10 +191,10 @@ void Fitter::tell(const PlaceFit& place, const DepthFit& depth) {
     fit_.depth_relative = depth.counts;
     fit_.depth_of_alone = depth.alone;
     fit_.eps_of_alone = place.eps_of_alone;
-    leave_out(place.parts.alone, LeftOut::Why::alone_by_place);
-    leave_out(depth.left_alone, LeftOut::Why::alone_by_depth);
-    leave_out(place.parts.beyond, LeftOut::Why::beyond_all_places);
-    leave_out(depth.beyond, LeftOut::Why::beyond_all_depths);
+    leave_out(place.parts.alone, LeftOut::Reason::alone_by_place);
+    leave_out(depth.left_alone, LeftOut::Reason::alone_by_depth);
+    leave_out(place.parts.beyond, LeftOut::Reason::beyond_all_places);
+    leave_out(depth.beyond, LeftOut::Reason::beyond_all_depths);
 }
 
 bool are_left_out(const std::vector<PixelCoord>& pixels, const std::vector<LeftOut>& left_out) {

@@ -14,14 +14,14 @@ namespace zproof::measure {
 struct LeftOut {
     PixelCoord pixel;
     Answer answer;
-    enum class Why {
+    enum class Reason {
         alone_by_place,     ///< it needs more than ten times the eps of all others
         alone_by_depth,     ///< the same of the depth error
         beyond_all_places,  ///< no eps up to 2^most_octave px explains it
         beyond_all_depths,  ///< no depth error up to 2^most_octave explains it
         no_answer,          ///< NaN, a negative depth, an id that does not exist
     };
-    Why why = Why::no_answer;
+    Reason reason = Reason::no_answer;
 };
 
 /// The greatest error among depths, and where it is.

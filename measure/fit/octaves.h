@@ -9,7 +9,7 @@ namespace zproof::measure {
 
 /// Octave k holds what is above 2^(k-1) and at most 2^k; the least one, all that is at most 2^least_octave.
 inline constexpr int least_octave = -30, most_octave = 3;
-/// Of what no error up to 2^most_octave explains.
+/// Stands for what no error up to 2^most_octave explains.
 inline constexpr int no_octave = most_octave + 1;
 
 /// What errs by more than that factor less is apart from the rest.

@@ -1,4 +1,4 @@
-/// The same picture, told to a renderer in another way. Who is right draws it again.
+/// A picture told to a renderer in another way. Who is right draws it again.
 #pragma once
 
 #include <functional>

@@ -12,8 +12,8 @@ class CameraDepth {
     /// Throws FrameError where the kind means nothing in this view: a disparity of a parallel projection.
     CameraDepth(const Convention& convention, const View& view);
 
-    /// Of a stored depth at the centre of pixel (x, y). What is no depth stays none: NaN stays NaN, and a
-    /// value beyond its range becomes negative, infinite or a depth beyond near or far.
+    /// The camera depth of a stored depth at the centre of pixel (x, y). What is no depth stays none: NaN
+    /// stays NaN, and a value beyond its range becomes negative, infinite or a depth beyond near or far.
     double operator()(double stored, int x, int y) const;
 
     /// Does a stored value say "background"?

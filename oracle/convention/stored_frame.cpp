@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
 #include <string>
 
 #include "frame/frame_error.h"
@@ -9,11 +10,11 @@
 #include "image_io/module.h"
 #include "image_io/raw_frame.h"
 #include "oracle/convention/camera_depth.h"
-#include "oracle/convention/expected_size.h"
 #include "oracle/convention/frame_bytes.h"
 #include "oracle/isolated.h"
 
 namespace zproof::oracle {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -40,7 +41,7 @@ Frame frame_of(const RawFrame& raw, const Convention& convention, const View& vi
     return frame;
 }
 
-/// Of all that is made of a pixel on the way: ids, depths in double, attributes, and a copy of them.
+/// All that is made of a pixel on the way: ids, depths in double, attributes, and a copy of them.
 constexpr std::size_t most_bytes_per_pixel = 160;
 
 Resolution size_of(const fs::path& file, const Convention& convention, IdChannel ids) {
@@ -99,6 +100,40 @@ std::vector<std::string> stored_frame_channels(const fs::path& file,
     return names;
 } catch (const FrameError&) {
     return {};
+}
+
+void refuse_other_size(const std::filesystem::path& file, Resolution size, const View& view) {
+    if (size == Resolution{view.width, view.height}) return;
+    throw FrameError(file.string() + ": " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                     " pixels; the view '" + view.name + "' has " + std::to_string(view.width) + " x " +
+                     std::to_string(view.height));
+}
+
+namespace {
+
+/// The samples as the file has them, the picture, and a copy of it.
+constexpr std::size_t picture_bytes_per_pixel = 64;
+
+Bytes bytes_of(const Picture& picture) {
+    const auto bytes = std::as_bytes(picture.pixels());
+    return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
+
+Picture read_stored_picture(const std::filesystem::path& file, const View& view,
+                            std::chrono::milliseconds time_limit) {
+    Picture picture({view.width, view.height});
+    image_io::load_module();
+    const std::size_t memory = reader_memory_bytes + picture_bytes_per_pixel * picture.size().pixel_count();
+    const Bytes bytes = isolated(file.string(), {memory, time_limit}, [&] {
+        refuse_other_size(file, picture_size(file), view);
+        return bytes_of(read_picture(file));
+    });
+    const auto to = std::as_writable_bytes(picture.pixels());
+    if (bytes.size() != to.size()) throw FrameError(file.string() + ": cannot be read: its end is missing");
+    std::memcpy(to.data(), bytes.data(), bytes.size());
+    return picture;
 }
 
 }  // namespace zproof::oracle

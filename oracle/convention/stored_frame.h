@@ -2,12 +2,15 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "frame/convention.h"
 #include "frame/frame.h"
+#include "frame/picture.h"
+#include "frame/plane.h"
 #include "image_io/image_io.h"
 #include "scenes/view.h"
 
@@ -34,5 +37,17 @@ Resolution stored_frame_size(const std::filesystem::path& file, const Convention
 /// read.
 std::vector<std::string> stored_frame_channels(const std::filesystem::path& file,
                                                std::chrono::milliseconds time_limit = usual_read_limit);
+
+/// The memory of headers and of the libraries that read them.
+inline constexpr std::size_t reader_memory_bytes = std::size_t{256} << 20;
+
+/// Throws FrameError, naming both sizes.
+void refuse_other_size(const std::filesystem::path& file, Resolution size, const View& view);
+
+/// Reads R, G and B, half or float32 and in linear light, in a copy of this process (oracle/isolated.h), as
+/// it does frames. Throws FrameError where the file cannot be read, is not of the view's size, or uses up the
+/// limit.
+Picture read_stored_picture(const std::filesystem::path& file, const View& view,
+                            std::chrono::milliseconds time_limit);
 
 }  // namespace zproof::oracle

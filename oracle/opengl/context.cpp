@@ -36,7 +36,7 @@ EGLDisplay surfaceless_display() {
     return started(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
 }
 
-/// Of the first device that starts.
+/// The display of the first device that starts.
 EGLDisplay device_display() {
     const auto query_devices =
         reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "frame/number_text.h"
 #include "oracle/povray/text.h"
 
 namespace zproof::oracle {
@@ -35,9 +36,9 @@ std::string povray_camera_text(const View& view, const PovrayUnits& units) {
 }
 
 std::string povray_clip_text(const Camera& camera, const PovrayUnits& units) {
-    std::string text = "clipped_by{plane{" + vector_text(camera.back) + "," + number_text(-units.near) + "}";
+    std::string text = "clipped_by{plane{" + vector_text(camera.back) + "," + shortest(-units.near) + "}";
     if (std::isfinite(units.far))
-        text += "plane{" + vector_text(-camera.back) + "," + number_text(units.far) + "}";
+        text += "plane{" + vector_text(-camera.back) + "," + shortest(units.far) + "}";
     return text + "}";
 }
 

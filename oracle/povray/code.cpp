@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "frame/number_text.h"
 #include "oracle/oracle_error.h"
 #include "oracle/povray/text.h"
 
@@ -28,8 +29,8 @@ PovrayCode::PovrayCode(std::size_t triangle_count, DepthSteps steps, double low,
         steps == DepthSteps::logarithmic ? 0.5 * span_ / highest_ <= 0x1p-24 : depth_bits_ >= 28;
     if (!fine_enough)
         throw OracleError("POV-Ray: the ids of " + std::to_string(triangle_count) +
-                          " triangles leave too few bits for depths from " + number_text(low) + " to " +
-                          number_text(high) + "; split the scene or bring near and far together");
+                          " triangles leave too few bits for depths from " + shortest(low) + " to " +
+                          shortest(high) + "; split the scene or bring near and far together");
 }
 
 PovrayCode::Pixel PovrayCode::decoded(const Channels& channels) const {
@@ -54,14 +55,14 @@ std::array<double, 2> PovrayCode::colour_of(PrimitiveId primitive) const {
 
 std::string PovrayCode::depth_pigments(const std::string& depth) const {
     const int shift = id_bits_ - channel_bits;  // of the depth within green
-    const std::string lower_steps = number_text(std::ldexp(1.0, channel_bits - shift));
+    const std::string lower_steps = shortest(std::ldexp(1.0, channel_bits - shift));
     const std::string share = steps_ == DepthSteps::logarithmic
-                                  ? "ln((" + depth + ")/" + number_text(low_) + ")"
-                                  : "((" + depth + ")-(" + number_text(low_) + "))";
-    return "#declare Step=function{floor(0.5+" + share + "*" + number_text(highest_ / span_) + ")}\n" +
+                                  ? "ln((" + depth + ")/" + shortest(low_) + ")"
+                                  : "((" + depth + ")-(" + shortest(low_) + "))";
+    return "#declare Step=function{floor(0.5+" + share + "*" + shortest(highest_ / span_) + ")}\n" +
            "#declare Upper_step=function{floor(Step(x,y,z)/" + lower_steps + ")}\n" +
            "#declare Lower=pigment{function{(Step(x,y,z)-" + lower_steps + "*Upper_step(x,y,z))*" +
-           number_text(std::ldexp(1.0, shift)) + "/65535}color_map{[0 rgb 0][1 rgb<0,4,0>]}}\n" +
+           shortest(std::ldexp(1.0, shift)) + "/65535}color_map{[0 rgb 0][1 rgb<0,4,0>]}}\n" +
            "#declare Upper=pigment{function{Upper_step(x,y,z)/65535}color_map{[0 rgb 0][1 rgb<0,0,4>]}}\n";
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "frame/number_text.h"
 #include "oracle/oracle_error.h"
 #include "oracle/povray/raster_box.h"
 #include "oracle/povray/text.h"
@@ -121,8 +122,8 @@ PovrayUnits units_of(const DepthRange& met, const View& view) {
     const double farthest = (met.high - start) * longest_direction(c);
     const double scale = scale_for(met.low - start, farthest);
     if (!(farthest * scale < farthest_hit))
-        throw OracleError("POV-Ray: view '" + view.name + "' spans depths from " + number_text(met.low) +
-                          " to " + number_text(met.high) +
+        throw OracleError("POV-Ray: view '" + view.name + "' spans depths from " + shortest(met.low) +
+                          " to " + shortest(met.high) +
                           ", expected a ratio below 1e9; bring near and far together");
     const double widest =
         std::max({std::abs(w.left), std::abs(w.right), std::abs(w.bottom), std::abs(w.top)});

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "frame/number_text.h"
 #include "oracle/oracle_error.h"
 #include "oracle/povray/camera.h"
 #include "oracle/povray/geometry.h"
@@ -40,7 +41,7 @@ std::string indices(const std::array<std::size_t, 3>& i) {
 }
 
 std::string colour_text(const glm::dvec3& colour) {
-    return "rgb<" + number_text(colour.r) + "," + number_text(colour.g) + "," + number_text(colour.b) + ">";
+    return "rgb<" + shortest(colour.r) + "," + shortest(colour.g) + "," + shortest(colour.b) + ">";
 }
 
 /// Everything that the mesh is made of, collected triangle by triangle.
@@ -185,7 +186,7 @@ class MeshWriter {
     }
 
     static std::string uv_text(const glm::dvec2& uv) {
-        return "<" + number_text(uv.x) + "," + number_text(uv.y) + ">";
+        return "<" + shortest(uv.x) + "," + shortest(uv.y) + ">";
     }
 
     /// mesh2 wants coordinates for all faces or for none.
@@ -224,12 +225,12 @@ PovrayPicture povray_picture(const Scene& scene, const View& view, const Light& 
     MeshWriter mesh(scene, view, units.scale);
     // A shadowless light makes no highlight (POV-Ray takes it for a fill light), so the mesh is told instead.
     const bool is_glossy = phong_finish.specular > 0;
-    const std::string highlight = is_glossy ? " phong " + number_text(phong_finish.specular) +
-                                                  " phong_size " + number_text(phong_finish.exponent)
+    const std::string highlight = is_glossy ? " phong " + shortest(phong_finish.specular) + " phong_size " +
+                                                  shortest(phong_finish.exponent)
                                             : "";
     std::string text =
         "#version 3.7;\nglobal_settings{assumed_gamma 1 adc_bailout 0}\n#default{finish{ambient " +
-        number_text(light.ambient) + " diffuse " + number_text(light.diffuse) + highlight +
+        shortest(light.ambient) + " diffuse " + shortest(light.diffuse) + highlight +
         "}}\nbackground{rgb 0}\n" + povray_camera_text(view, units) +
         light_text(view.camera, light, units, is_glossy ? "" : " shadowless") +
         mesh.text(povray_clip_text(view.camera, units) + (is_glossy ? " no_shadow" : ""));

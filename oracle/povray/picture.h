@@ -4,12 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "oracle/povray/phong_finish.h"
 #include "scenes/light.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
 
 namespace zproof::oracle {
+
+/// specular max(0, r . v)^exponent of white on top of what scenes/light.h says: r is the light's direction
+/// mirrored at the normal, v points to the eye (POV-Ray's finish `phong`, documentation 3.7, 3.4.6.3.4.1).
+struct PhongFinish {
+    double specular = 0, exponent = 40;
+};
 
 struct PovrayImage {
     std::string name;   ///< of the file that the text refers to
@@ -21,7 +26,7 @@ struct PovrayPicture {
     std::vector<PovrayImage> images;
 };
 
-/// Surfaces as scenes/light.h and rasterizer/shading.h have them. Throws OracleError for what POV-Ray cannot
+/// Surfaces as scenes/light.h and rasterizer/shader.h have them. Throws OracleError for what POV-Ray cannot
 /// say: a texture times vertex colours, more than 65536 different colours, or as povray_texture.
 PovrayPicture povray_picture(const Scene& scene, const View& view, const Light& light,
                              const PhongFinish& phong_finish = {});

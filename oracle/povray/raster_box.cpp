@@ -19,7 +19,7 @@ struct Extent {
         high = std::max(high, place + margin);
     }
 
-    /// Of `pixels` in a row, those whose centre it holds.
+    /// How many of `pixels` in a row have their centre in it.
     std::uint64_t centres(int pixels) const {
         const double first = std::max(std::ceil(low - 0.5), 0.0);
         const double last = std::min(std::floor(high - 0.5), pixels - 1.0);

@@ -1,5 +1,6 @@
 #include "oracle/povray/scene.h"
 
+#include "frame/number_text.h"
 #include "oracle/povray/camera.h"
 #include "oracle/povray/geometry.h"
 #include "oracle/povray/text.h"
@@ -9,14 +10,14 @@ namespace {
 
 std::string depth_expression(const Camera& camera) {
     const glm::dvec3 ahead = -camera.back;
-    return number_text(ahead.x) + "*x+" + number_text(ahead.y) + "*y+" + number_text(ahead.z) + "*z";
+    return shortest(ahead.x) + "*x+" + shortest(ahead.y) + "*y+" + shortest(ahead.z) + "*z";
 }
 
 void append_triangle(std::string& text, const PovrayTriangle& triangle, const PovrayCode& code) {
     const auto [red, green] = code.colour_of(triangle.primitive);
     text += "triangle{" + vector_text(triangle.corner[0]) + "," + vector_text(triangle.corner[1]) + "," +
-            vector_text(triangle.corner[2]) + "pigment{average pigment_map{[2 rgb<" + number_text(2 * red) +
-            "," + number_text(2 * green) + ",0>][1 Lower][1 Upper]}}}\n";
+            vector_text(triangle.corner[2]) + "pigment{average pigment_map{[2 rgb<" + shortest(2 * red) +
+            "," + shortest(2 * green) + ",0>][1 Lower][1 Upper]}}}\n";
 }
 
 /// The box is there for its size alone: it is in no picture (no_image), yet in the merge's own box, which

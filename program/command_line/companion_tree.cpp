@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "program/command_line/help.h"
-#include "program/command_line/outline_json.h"
+#include "program/command_line/outline.h"
 #include "program/command_line/parsing.h"
 #include "program/companion.h"
 #include "program/exit_code.h"

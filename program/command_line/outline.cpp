@@ -3,9 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 
 namespace zproof {
+
 namespace {
 
 /// The words of "TEXT:{always,auto,never}"; none where it is another kind.
@@ -86,6 +89,24 @@ std::vector<OutlineCommand> leaves_of(const OutlineCommand& root) {
     for (const OutlineCommand& command : root.commands)
         std::ranges::copy(leaves_of(command), std::back_inserter(leaves));
     return leaves;
+}
+
+using Json = nlohmann::json;
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Candidates, words, paths, listing)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OutlineOption, names, takes, choices, kind, description, default_value,
+                                   candidates)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OutlineCommand, path, description, examples, footer, options, positionals,
+                                   commands)
+
+std::string json_of(const OutlineCommand& outline) { return Json(outline).dump() + "\n"; }
+
+OutlineCommand outline_from(const std::string& json) {
+    try {
+        return Json::parse(json).get<OutlineCommand>();
+    } catch (const Json::exception& e) {
+        throw std::runtime_error{std::string{"no outline of a command line: "} + e.what()};
+    }
 }
 
 }  // namespace zproof

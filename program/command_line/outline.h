@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "program/command_line/candidates.h"
-#include "program/command_line/examples.h"
+#include "program/command_line/help.h"
 
 namespace CLI {
 class App;
@@ -50,5 +50,10 @@ OutlineCommand outline_of(const CLI::App& root, ValueKinds kinds, Examples examp
 
 /// The commands that can be given by themselves, that is those with no command below them, in order.
 std::vector<OutlineCommand> leaves_of(const OutlineCommand& root);
+
+std::string json_of(const OutlineCommand& outline);
+
+/// Throws std::runtime_error where the text is none.
+OutlineCommand outline_from(const std::string& json);
 
 }  // namespace zproof

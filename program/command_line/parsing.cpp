@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <iostream>
 #include <sstream>
+#include <vector>
 
-#include "program/command_line/misspelling.h"
+#include "program/nearest_word.h"
 #include "program/settings/apply.h"
 #include "program/usage_error.h"
 
 namespace zproof {
+
 namespace {
 
 /// "zproof filters run".
@@ -56,6 +58,31 @@ Command chosen(const std::vector<Branch>& branches, const std::string& example) 
 ExitCode execute(const Answered& answered) {
     std::cout << answered.text;
     return ExitCode::proven;
+}
+
+namespace {
+
+/// The command whose words were being read.
+const CLI::App& innermost(const CLI::App& app) {
+    const std::vector<CLI::App*> typed = app.get_subcommands();
+    return typed.empty() ? app : innermost(*typed.back());
+}
+
+std::vector<std::string> known_to(const CLI::App& app) {
+    std::vector<std::string> words;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
+    for (const CLI::App* command : app.get_subcommands(std::function<bool(const CLI::App*)>{}))
+        words.push_back(command->get_name());
+    return words;
+}
+
+}  // namespace
+
+std::string misspelling_in(const CLI::App& root) {
+    const std::vector<std::string> unknown = root.remaining(true);
+    if (unknown.empty()) return "";
+    return did_you_mean(unknown.front().substr(0, unknown.front().find('=')), known_to(innermost(root)));
 }
 
 }  // namespace zproof

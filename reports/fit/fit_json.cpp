@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of the shape of the file; a new key is a minor step.
+/// The version of the file's shape; a new key is a minor step.
 constexpr const char* schema_version = "1.0";
 
 Json json_of(const PixelCoord& p) { return {p.x, p.y}; }
@@ -40,7 +40,7 @@ Json json_of(const std::vector<measure::LeftOut>& left_out) {
     for (const measure::LeftOut& l : left_out)
         pixels.push_back({{"pixel", json_of(l.pixel)},
                           {"id", std::uint32_t(l.answer.primitive)},
-                          {"why", name_of(l.why)}});
+                          {"why", name_of(l.reason)}});
     return pixels;
 }
 

@@ -124,7 +124,7 @@ Table left_out_table(const std::vector<FittedView>& views) {
         for (const LeftOut& l : view.fit.left_out)
             table.rows.push_back({title_of(view), std::int64_t(l.pixel.x), std::int64_t(l.pixel.y),
                                   std::int64_t(l.answer.primitive), double(l.answer.camera_depth),
-                                  std::string{name_of(l.why)}});
+                                  std::string{name_of(l.reason)}});
     return table;
 }
 

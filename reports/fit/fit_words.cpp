@@ -11,14 +11,14 @@ namespace {
 
 using measure::LeftOut;
 using measure::ViewFit;
-using Why = LeftOut::Why;
+using Reason = LeftOut::Reason;
 
 constexpr std::size_t most_places = 5;
 
-std::vector<PixelCoord> places_of(const ViewFit& fit, Why why) {
+std::vector<PixelCoord> places_of(const ViewFit& fit, Reason reason) {
     std::vector<PixelCoord> places;
     for (const LeftOut& l : fit.left_out)
-        if (l.why == why) places.push_back(l.pixel);
+        if (l.reason == reason) places.push_back(l.pixel);
     return places;
 }
 
@@ -31,8 +31,8 @@ std::string look_at(const std::vector<PixelCoord>& places) {
 }
 
 /// "; 3 pixels MIDDLE: look at (12, 7)"; empty where there is none.
-std::string remark(const ViewFit& fit, Why why, const std::string& middle) {
-    const std::vector<PixelCoord> places = places_of(fit, why);
+std::string remark(const ViewFit& fit, Reason reason, const std::string& middle) {
+    const std::vector<PixelCoord> places = places_of(fit, reason);
     if (places.empty()) return "";
     return "; " + counted(places.size(), "pixel") + " " + middle + ": " + look_at(places);
 }
@@ -41,24 +41,24 @@ std::string most_px() { return rounded(std::ldexp(1.0, measure::most_octave)) + 
 
 }  // namespace
 
-std::string_view name_of(Why why) {
-    switch (why) {
-        case Why::alone_by_place:
+std::string_view name_of(Reason reason) {
+    switch (reason) {
+        case Reason::alone_by_place:
             return "alone_by_place";
-        case Why::alone_by_depth:
+        case Reason::alone_by_depth:
             return "alone_by_depth";
-        case Why::beyond_all_places:
+        case Reason::beyond_all_places:
             return "beyond_all_places";
-        case Why::beyond_all_depths:
+        case Reason::beyond_all_depths:
             return "beyond_all_depths";
-        case Why::no_answer:
+        case Reason::no_answer:
             return "no_answer";
     }
     return "no_answer";
 }
 
 std::string fit_in_words(const ViewFit& fit) {
-    const std::vector<PixelCoord> alone = places_of(fit, Why::alone_by_place);
+    const std::vector<PixelCoord> alone = places_of(fit, Reason::alone_by_place);
     std::string text = "eps " + rounded(fit.eps.found_px()) + " px explains ";
     if (fit.left_out.empty()) return text + "every pixel";
     if (alone.empty())
@@ -67,12 +67,12 @@ std::string fit_in_words(const ViewFit& fit) {
         text += "all but " + counted(alone.size(), "pixel") + "; those need " +
                 rounded(fit.eps_of_alone.found_px()) + " px: " + look_at(alone);
     return text +
-           remark(fit, Why::alone_by_depth,
+           remark(fit, Reason::alone_by_depth,
                   "with a depth error of " + rounded(fit.depth_of_alone.error.relative) +
                       ", far above all others") +
-           remark(fit, Why::beyond_all_places, "that no eps up to " + most_px() + " explains") +
-           remark(fit, Why::beyond_all_depths, "at a depth that no error explains") +
-           remark(fit, Why::no_answer, "without an answer");
+           remark(fit, Reason::beyond_all_places, "that no eps up to " + most_px() + " explains") +
+           remark(fit, Reason::beyond_all_depths, "at a depth that no error explains") +
+           remark(fit, Reason::no_answer, "without an answer");
 }
 
 }  // namespace zproof

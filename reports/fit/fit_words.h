@@ -13,6 +13,6 @@ namespace zproof {
 std::string fit_in_words(const measure::ViewFit& fit);
 
 /// "alone_by_place"
-std::string_view name_of(measure::LeftOut::Why why);
+std::string_view name_of(measure::LeftOut::Reason reason);
 
 }  // namespace zproof

@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "frame/picture.h"
 #include "frame/plane.h"
-#include "frame/rgb8.h"
 #include "reports/pages/chart.h"
 
 namespace zproof::document {

@@ -1,8 +1,8 @@
 /// A map of errors as a picture.
 #pragma once
 
+#include "frame/picture.h"
 #include "frame/plane.h"
-#include "frame/rgb8.h"
 
 namespace zproof {
 

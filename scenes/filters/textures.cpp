@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "math/srgb.h"
 #include "scenes/suite/random.h"
 #include "scenes/suite/unit_circle.h"
 
@@ -37,10 +38,7 @@ double smooth_noise(glm::dvec2 place, int cells, std::uint64_t seed) {
 
 }  // namespace
 
-std::uint8_t srgb_code(double linear) {
-    const double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-    return std::uint8_t(std::lround(255 * std::clamp(encoded, 0.0, 1.0)));
-}
+std::uint8_t srgb_code(double linear) { return std::uint8_t(std::lround(255 * encoded_srgb(linear))); }
 
 Image image_of(const std::string& name, TextureSize size, const Colour& colour) {
     Image image{.name = name, .width = size.width, .height = size.height, .texels = {}};

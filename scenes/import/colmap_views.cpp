@@ -6,7 +6,6 @@
 #include <string>
 
 #include "frame/input_file.h"
-#include "scenes/import/unique_names.h"
 #include "scenes/import/view_import.h"
 #include "scenes/refusal.h"
 #include "scenes/scene_error.h"

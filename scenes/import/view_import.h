@@ -22,4 +22,7 @@ std::vector<ImportedView> import_colmap(const std::filesystem::path& folder, con
 std::vector<ImportedView> import_nerf(const std::filesystem::path& file, const DepthRange& range,
                                       const std::optional<glm::ivec2>& size);
 
+/// Throws SceneError where there is no view, or two of one name.
+void require_unique_names(const std::filesystem::path& file, const std::vector<ImportedView>& views);
+
 }  // namespace zproof

@@ -24,7 +24,7 @@ glm::dvec3 from_ndc(const Camera& camera, const glm::dvec3& p_ndc) {
 }
 
 /// The corners of the hexagon in which the plane normal . p = 0 cuts the cube [-1, 1]^3, around the origin.
-/// Of the normal's coordinates none may be as large as the other two together.
+/// None of the normal's coordinates may be as large as the other two together.
 std::array<glm::dvec3, 6> hexagon_in_cube(const glm::dvec3& normal) {
     std::array<glm::dvec3, 6> corners;
     for (int axis = 0; axis < 3; ++axis) {
@@ -39,7 +39,7 @@ std::array<glm::dvec3, 6> hexagon_in_cube(const glm::dvec3& normal) {
     return corners;
 }
 
-/// The same corners in their order around the origin, seen from the tip of the normal.
+/// The corners in their order around the origin, seen from the tip of the normal.
 std::array<glm::dvec3, 6> around(std::array<glm::dvec3, 6> corners, const glm::dvec3& normal) {
     const glm::dvec3 x = corners[0], y = glm::cross(normal, x);
     const auto angle = [&](const glm::dvec3& p) { return std::atan2(glm::dot(p, y), glm::dot(p, x)); };

@@ -16,12 +16,12 @@ double smooth(double t) { return t * t * (3 - 2 * t); }
 double mix(double a, double b, double weight) { return a + (b - a) * weight; }
 
 /// A coordinate among those of a lattice: whole part, and what smooth() makes of the rest.
-struct Among {
+struct LatticePlace {
     int whole;
     double weight;
 };
 
-Among among(double coordinate) {
+LatticePlace lattice_place(double coordinate) {
     const double floor = std::floor(coordinate);
     return {static_cast<int>(floor), smooth(coordinate - floor)};
 }
@@ -38,11 +38,11 @@ void add_mixed(const double* upper, const double* lower, double weight, double a
 class Noise {
   public:
     Noise(std::span<const double> x, double low_z, double high_z, double frequency, std::uint64_t seed)
-        : frequency_(frequency), first_line_(among(low_z * frequency).whole) {
-        for (int line = first_line_; line <= among(high_z * frequency).whole + 1; ++line) {
+        : frequency_(frequency), first_line_(lattice_place(low_z * frequency).whole) {
+        for (int line = first_line_; line <= lattice_place(high_z * frequency).whole + 1; ++line) {
             std::vector<double>& values = lines_.emplace_back();
             for (const double column : x) {
-                const auto [whole, weight] = among(column * frequency);
+                const auto [whole, weight] = lattice_place(column * frequency);
                 values.push_back(
                     mix(lattice_value(whole, line, seed), lattice_value(whole + 1, line, seed), weight));
             }
@@ -51,7 +51,7 @@ class Noise {
 
     /// Adds a row of the noise, times the amplitude.
     void add_to(std::span<double> heights, double z, double amplitude) const {
-        const auto [whole, weight] = among(z * frequency_);
+        const auto [whole, weight] = lattice_place(z * frequency_);
         const auto upper = static_cast<std::size_t>(whole - first_line_);
         widest<add_mixed>(lines_[upper].data(), lines_[upper + 1].data(), weight, amplitude, heights);
     }

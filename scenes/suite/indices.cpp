@@ -11,7 +11,7 @@ namespace zproof::suite {
 
 namespace {
 
-/// Of each bit from `first` to `last`: the ids just around 2^bit, and some with random bits below it.
+/// For each bit from `first` to `last`: the ids just around 2^bit, and some with random bits below it.
 /// Ascending.
 std::vector<std::uint32_t> ids_of_every_bit(int first, int last, std::uint32_t end) {
     std::vector<std::uint32_t> ids;

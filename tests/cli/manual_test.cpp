@@ -12,7 +12,7 @@
 
 #include "cli/command_line/tree.h"
 #include "oracle/subprocess.h"
-#include "program/command_line/examples.h"
+#include "program/command_line/help.h"
 #include "program/command_line/outline.h"
 #include "program/exit_code.h"
 #include "program/manual/page.h"

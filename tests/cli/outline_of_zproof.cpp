@@ -1,7 +1,7 @@
 #include "tests/cli/outline_of_zproof.h"
 
 #include "cli/command_line/tree.h"
-#include "program/command_line/outline_json.h"
+#include "program/command_line/outline.h"
 #include "program/companion.h"
 #include "tests/cli/program.h"
 

@@ -8,7 +8,7 @@
 
 #include "filters/methods/catalogue.h"
 #include "rasterizer/rasterizer.h"
-#include "rasterizer/shading.h"
+#include "rasterizer/shader.h"
 #include "rasterizer/surface.h"
 #include "scenes/filters/filter_scenes.h"
 #include "scenes/suite.h"

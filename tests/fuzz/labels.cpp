@@ -1,6 +1,6 @@
 // A file of labels for the triangles of a scene that has twelve.
-#include "scenes/label_file.h"
 #include "scenes/scene_error.h"
+#include "scenes/triangle_labels.h"
 #include "tests/fuzz/scratch_folder.h"
 
 namespace zproof::fuzz {

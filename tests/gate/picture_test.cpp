@@ -9,7 +9,7 @@
 #include "compare/picture_difference.h"
 #include "oracle/povray.h"
 #include "rasterizer/rasterizer.h"
-#include "rasterizer/shading.h"
+#include "rasterizer/shader.h"
 
 namespace zproof {
 namespace {

@@ -302,7 +302,7 @@ TEST(Fit, PixelsWithoutAnAnswerAreLeftOutAndCountAsDefects) {
     frame.primitive.at(2, 2) = PrimitiveId{9};
     const ViewFit found = fit(scene_of({truth}), view, frame);
     ASSERT_EQ(found.left_out.size(), 1u);
-    EXPECT_EQ(found.left_out[0].why, LeftOut::Why::no_answer);
+    EXPECT_EQ(found.left_out[0].reason, LeftOut::Reason::no_answer);
     EXPECT_EQ(found.left_out[0].pixel, (PixelCoord{2, 2}));
     EXPECT_EQ(found.defects, 1u);
     EXPECT_TRUE(found.is_verified);

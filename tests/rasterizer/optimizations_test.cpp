@@ -10,7 +10,7 @@
 #include "drawing.h"
 #include "rasterizer/pipeline.h"
 #include "rasterizer/rasterizer.h"
-#include "rasterizer/shading.h"
+#include "rasterizer/shader.h"
 #include "scenes/suite.h"
 
 namespace zproof::rasterizer {

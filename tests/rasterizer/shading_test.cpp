@@ -1,4 +1,4 @@
-#include "rasterizer/shading.h"
+#include "rasterizer/shader.h"
 
 #include <gtest/gtest.h>
 

@@ -27,7 +27,7 @@ FittedView sample() {
 FittedView with_two_alone() {
     FittedView view = sample();
     view.fit.eps_of_alone.px = {0.69, 0.7};
-    for (const int x : {12, 80}) view.fit.left_out.push_back({{x, 7}, {}, LeftOut::Why::alone_by_place});
+    for (const int x : {12, 80}) view.fit.left_out.push_back({{x, 7}, {}, LeftOut::Reason::alone_by_place});
     return view;
 }
 
@@ -42,8 +42,8 @@ TEST(FitWords, ShowThePixelsThatStandAlone) {
 
 TEST(FitWords, NameEveryOtherReason) {
     FittedView view = sample();
-    view.fit.left_out = {{{1, 2}, {}, LeftOut::Why::beyond_all_places},
-                         {{3, 4}, {}, LeftOut::Why::no_answer}};
+    view.fit.left_out = {{{1, 2}, {}, LeftOut::Reason::beyond_all_places},
+                         {{3, 4}, {}, LeftOut::Reason::no_answer}};
     EXPECT_EQ(fit_in_words(view.fit),
               "eps 0.00212 px explains every other pixel; 1 pixel that no eps up to 8 px explains: look at "
               "(1, 2); 1 pixel without an answer: look at (3, 4)");

@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "scenes/cryptomatte.h"
-#include "scenes/label_file.h"
 #include "scenes/scene_error.h"
 #include "tests/support/test_folder.h"
 

@@ -4,7 +4,7 @@
 #include <unordered_map>
 
 #include "compare/diagnosis/hypotheses/catalogue.h"
-#include "compare/diagnosis/hypotheses/number_text.h"
+#include "frame/number_text.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -12,22 +12,22 @@ namespace zproof {
 namespace {
 
 /// What becomes of a triangle. Undecided: it lies on the limit, within its bounds.
-enum class Fate { drawn, undecided, dropped };
+enum class Outcome { drawn, undecided, dropped };
 
 /// A number below its limit, off by at most `error`.
-Fate dropped_below(double number, double limit, double error) {
-    if (number + error < limit) return Fate::dropped;
-    return number - error < limit ? Fate::undecided : Fate::drawn;
+Outcome dropped_below(double number, double limit, double error) {
+    if (number + error < limit) return Outcome::dropped;
+    return number - error < limit ? Outcome::undecided : Outcome::drawn;
 }
 
-template <class FateOf>
-Hypothesis dropped(const DiagnosisInput& input, const Cause& cause, FateOf fate_of) {
+template <class OutcomeOf>
+Hypothesis dropped(const DiagnosisInput& input, const Cause& cause, OutcomeOf outcome_of) {
     Hypothesis h = as_declared(input, cause);
-    h.amend = [fate_of](Neighbourhood& around, PrimitiveId) {
+    h.amend = [outcome_of](Neighbourhood& around, PrimitiveId) {
         std::erase_if(around.neighbours, [&](Neighbour& n) {
-            const Fate fate = fate_of(around, n);
-            n.may_be_missing |= fate == Fate::undecided;
-            return fate == Fate::dropped;
+            const Outcome outcome = outcome_of(around, n);
+            n.may_be_missing |= outcome == Outcome::undecided;
+            return outcome == Outcome::dropped;
         });
     };
     return h;
@@ -51,13 +51,13 @@ Hypothesis across_near(const DiagnosisInput& input) {
          "A triangle with a corner nearer than the near plane is left out instead of clipped.",
          "Look at clipping: a triangle with a corner before the near plane must be cut, not rejected."},
         [](const Neighbourhood& around, const Neighbour& n) {
-            Fate fate = Fate::drawn;
+            Outcome outcome = Outcome::drawn;
             for (const glm::vec3& p : n.p_world) {
                 const CameraCorner corner = in_camera(around.view.camera, p);
-                fate = std::max(fate, dropped_below(corner.depth, around.view.camera.near_depth,
-                                                    corner.error + n.near_slack));
+                outcome = std::max(outcome, dropped_below(corner.depth, around.view.camera.near_depth,
+                                                          corner.error + n.near_slack));
             }
-            return fate;
+            return outcome;
         });
 }
 
@@ -67,13 +67,14 @@ Hypothesis across_far(const DiagnosisInput& input) {
                     "A triangle with a corner beyond the far plane is left out instead of clipped.",
                     "Look at clipping: reject a triangle only if all its corners lie beyond the far plane."},
                    [](const Neighbourhood& around, const Neighbour& n) {
-                       Fate fate = Fate::drawn;
+                       Outcome outcome = Outcome::drawn;
                        for (const glm::vec3& p : n.p_world) {
                            const CameraCorner corner = in_camera(around.view.camera, p);
-                           fate = std::max(fate, dropped_below(-corner.depth, -around.view.camera.far_depth,
+                           outcome =
+                               std::max(outcome, dropped_below(-corner.depth, -around.view.camera.far_depth,
                                                                corner.error + n.far_slack));
                        }
-                       return fate;
+                       return outcome;
                    });
 }
 
@@ -84,12 +85,12 @@ Hypothesis behind_eye(const DiagnosisInput& input) {
          "A triangle with a corner at a depth of 0 or less is left out instead of clipped.",
          "Look at clipping: a triangle with a corner of w <= 0 must be cut before the division by w."},
         [](const Neighbourhood& around, const Neighbour& n) {
-            Fate fate = Fate::drawn;
+            Outcome outcome = Outcome::drawn;
             for (const glm::vec3& p : n.p_world) {
                 const CameraCorner corner = in_camera(around.view.camera, p);
-                fate = std::max(fate, dropped_below(corner.depth, 0, corner.error + n.near_slack));
+                outcome = std::max(outcome, dropped_below(corner.depth, 0, corner.error + n.near_slack));
             }
-            return fate;
+            return outcome;
         });
 }
 
@@ -100,13 +101,13 @@ struct RasterBox {
 
 /// What becomes of a triangle that no corner may leave the box. Decided in units of the window, times depth
 /// in a perspective: clip coordinates, in which a corner behind the eye lies outside.
-Fate fate_at(const RasterBox& box, const Neighbourhood& around, const Neighbour& n) {
+Outcome outcome_at(const RasterBox& box, const Neighbourhood& around, const Neighbour& n) {
     const Camera& c = around.view.camera;
     const Window& w = c.window;
     const bool perspective = c.projection == Projection::perspective;
     const double u_per_px = (w.right - w.left) / around.view.width,
                  v_per_px = (w.top - w.bottom) / around.view.height;
-    Fate fate = Fate::drawn;
+    Outcome outcome = Outcome::drawn;
     for (const glm::vec3& p : n.p_world) {
         const CameraCorner corner = in_camera(c, p);
         const double scale = perspective ? corner.depth : 1;
@@ -115,24 +116,24 @@ Fate fate_at(const RasterBox& box, const Neighbourhood& around, const Neighbour&
         const auto keep_below = [&](double number, double side, double per_px) {
             const double error =
                 4 * corner.error * (1 + std::abs(side)) + n.bounds.eps_px * per_px * std::abs(scale);
-            fate = std::max(fate, dropped_below(side * scale - number, 0, error));
+            outcome = std::max(outcome, dropped_below(side * scale - number, 0, error));
         };
         keep_below(-x, -(w.left + box.left * u_per_px), u_per_px);
         keep_below(x, w.left + box.right * u_per_px, u_per_px);
         keep_below(y, w.top - box.top * v_per_px, v_per_px);
         keep_below(-y, -(w.top - box.bottom * v_per_px), v_per_px);
     }
-    return fate;
+    return outcome;
 }
 
-Fate fate_at_sides(const Neighbourhood& around, const Neighbour& n) {
-    return fate_at({0, 0, double(around.view.width), double(around.view.height)}, around, n);
+Outcome outcome_at_sides(const Neighbourhood& around, const Neighbour& n) {
+    return outcome_at({0, 0, double(around.view.width), double(around.view.height)}, around, n);
 }
 
 /// Beyond 16 bits of whole pixels with a sign, which many rasterizers cannot hold.
-Fate fate_at_guard_band(const Neighbourhood& around, const Neighbour& n) {
+Outcome outcome_at_guard_band(const Neighbourhood& around, const Neighbour& n) {
     constexpr double most_px = 32'768;
-    return fate_at({-most_px, -most_px, most_px, most_px}, around, n);
+    return outcome_at({-most_px, -most_px, most_px, most_px}, around, n);
 }
 
 /// Two-fold area of the image, px^2, and how far displacement may change it. Without end where a corner is
@@ -227,7 +228,7 @@ std::vector<Hypothesis> fitted_to_area(const DiagnosisInput& input) {
     Hypothesis h = below_area(
         input, *limit,
         {"small triangles are dropped",
-         "Triangles whose image is smaller than " + number_text(*limit, 3) +
+         "Triangles whose image is smaller than " + with_digits(*limit, 3) +
              " px^2 are not drawn: a limit fitted to what is missing.",
          "Look at the test that rejects small triangles, and at bounding boxes that round to nothing."});
     h.learned_bits = bits_of_a_number;
@@ -255,7 +256,7 @@ std::vector<Hypothesis> fitted_to_determinant(const DiagnosisInput& input) {
     if (!limit) return {};
     Hypothesis h = below_determinant(input, *limit, "triangles with a small determinant are dropped",
                                      "Rays miss triangles whose determinant is below " +
-                                         number_text(*limit, 3) + ": a limit fitted to what is missing.");
+                                         with_digits(*limit, 3) + ": a limit fitted to what is missing.");
     h.learned_bits = bits_of_a_number;
     h.fits_a_limit = true;
     return {h};
@@ -275,7 +276,7 @@ std::vector<Hypothesis> beyond_a_count(const DiagnosisInput& input) {
                  "None is drawn behind triangle " + std::to_string(last_drawn) + ", the last that is shown.",
                  "Look at buffers of a fixed size, at the number of indices drawn, and at 16-bit counters."},
                 [last_drawn](const Neighbourhood&, const Neighbour& n) {
-                    return n.triangle > last_drawn ? Fate::dropped : Fate::drawn;
+                    return n.triangle > last_drawn ? Outcome::dropped : Outcome::drawn;
                 });
     h.learned_bits = bits_of_a_number;
     h.fits_a_limit = true;
@@ -295,13 +296,13 @@ std::vector<Hypothesis> hypotheses_of_dropped_triangles(const DiagnosisInput& in
             {"triangles across the guard band are dropped",
              "A triangle with a corner beyond +-32768 px is left out.",
              "Look at clipping: what leaves the range of the fixed-point grid must be cut, not rejected."},
-            fate_at_guard_band),
+            outcome_at_guard_band),
         dropped(input,
                 {"triangles across a side of the picture are dropped",
                  "A triangle with a corner outside the picture is left out.",
                  "Look at frustum culling: reject only if all corners lie beyond one side; clip or clamp the "
                  "rest."},
-                fate_at_sides),
+                outcome_at_sides),
         below_area(input, 0.5,
                    {"triangles of less than 1/2 px^2 are dropped",
                     "Triangles whose two-fold area is below 1 px^2 are not drawn.", small_test}),

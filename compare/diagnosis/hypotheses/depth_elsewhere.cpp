@@ -4,8 +4,8 @@
 
 #include "compare/bounds/triangle_depth.h"
 #include "compare/diagnosis/hypotheses/catalogue.h"
-#include "compare/diagnosis/hypotheses/number_text.h"
 #include "compare/diagnosis/hypotheses/plane_depth.h"
+#include "frame/number_text.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -163,7 +163,7 @@ std::vector<Hypothesis> fitted(const DiagnosisInput& input, Cause cause, const O
                                const std::function<double(double)>& shown = nullptr) {
     const std::optional<double> number = fitted_number(input, form);
     if (!number || !std::isfinite(*number)) return {};
-    cause.description += number_text(shown ? shown(*number) : *number, 6) + ".";
+    cause.description += with_digits(shown ? shown(*number) : *number, 6) + ".";
     Hypothesis h = as_declared(input, cause);
     h.learned_bits = bits_of_a_number;
     h.fits_a_limit = true;
@@ -247,12 +247,12 @@ std::vector<Hypothesis> clipped_elsewhere(const DiagnosisInput& input) {
     };
     return {clipped_at_depths(
                 {farthest < c.far_depth ? "the far plane lies nearer" : "the far plane lies farther",
-                 "Nothing is drawn beyond the farthest depth of the frame, " + number_text(farthest, 6) + ".",
+                 "Nothing is drawn beyond the farthest depth of the frame, " + with_digits(farthest, 6) + ".",
                  "Look at far: the projection matrix's, the ray's end, scene units."},
                 c.near_depth, farthest),
             clipped_at_depths(
                 {nearest > c.near_depth ? "the near plane lies farther" : "the near plane lies nearer",
-                 "Nothing is drawn before the nearest depth of the frame, " + number_text(nearest, 6) + ".",
+                 "Nothing is drawn before the nearest depth of the frame, " + with_digits(nearest, 6) + ".",
                  "Look at near: the projection matrix's, the ray's start, scene units."},
                 nearest, c.far_depth)};
 }

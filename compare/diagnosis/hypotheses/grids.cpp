@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "compare/diagnosis/hypotheses/catalogue.h"
-#include "compare/diagnosis/hypotheses/number_text.h"
+#include "frame/number_text.h"
 #include "scenes/standard_samples.h"
 
 namespace zproof {
@@ -149,8 +149,8 @@ std::vector<Hypothesis> fitted_shift(const DiagnosisInput& input) {
     if (held_at(all, offset) <= held_at(all, glm::dvec2(0)) || length(offset) > 1) return {};
     Hypothesis h = as_declared(
         input, {"the image is shifted by a fraction of a pixel",
-                "Each pixel holds what belongs (" + number_text(offset.x, 4) + ", " +
-                    number_text(offset.y, 4) + ") px from its centre: fitted to the edges.",
+                "Each pixel holds what belongs (" + with_digits(offset.x, 4) + ", " +
+                    with_digits(offset.y, 4) + ") px from its centre: fitted to the edges.",
                 "Look at the viewport transform's offset and at a jitter meant for antialiasing."});
     h.learned_bits = 2 * bits_of_a_number;
     h.fits_a_limit = true;

@@ -14,7 +14,7 @@
 #include "filters/selftest/filter_fault.h"
 #include "filters/study/claims.h"
 #include "image_io/image_io.h"
-#include "program/command_line/outline_json.h"
+#include "program/command_line/outline.h"
 #include "program/usage_error.h"
 #include "scenes/filters/filter_scenes.h"
 #include "scenes/scene_hash.h"

@@ -1,5 +1,3 @@
-#include "frame/frame_size.h"
-
 #include "frame/frame_error.h"
 
 namespace zproof {

@@ -1,4 +1,4 @@
-#include "scenes/import/unique_names.h"
+#include "scenes/import/view_import.h"
 
 #include <set>
 
