@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "scenes/gltf_limits.h"
+#include "scenes/limits.h"
 #include "scenes/refusal.h"
 
 namespace zproof {

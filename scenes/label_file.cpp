@@ -3,9 +3,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "scenes/gltf_files.h"
 #include "scenes/json_text.h"
 #include "scenes/refusal.h"
+#include "scenes/scene_files.h"
 
 namespace zproof {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "scenes/flat_triangles.h"
 #include "scenes/frame_all.h"
-#include "scenes/gltf_limits.h"
+#include "scenes/limits.h"
 #include "scenes/refusal.h"
 #include "scenes/scene_error.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "scenes/gltf_camera.h"
+#include "scenes/gltf/camera.h"
 #include "scenes/scene_error.h"
 
 namespace zproof {

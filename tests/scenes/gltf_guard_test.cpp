@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "scenes/gltf.h"
-#include "scenes/gltf_compression.h"
-#include "scenes/gltf_limits.h"
+#include "scenes/gltf/compression.h"
+#include "scenes/gltf/gltf.h"
+#include "scenes/limits.h"
 #include "scenes/scene_error.h"
 #include "tests/scenes/written_gltf.h"
 

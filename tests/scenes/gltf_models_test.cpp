@@ -8,9 +8,9 @@
 #include <numeric>
 #include <string>
 
-#include "scenes/gltf.h"
-#include "scenes/gltf_model.h"
-#include "scenes/gltf_nodes.h"
+#include "scenes/gltf/gltf.h"
+#include "scenes/gltf/model.h"
+#include "scenes/gltf/nodes.h"
 
 namespace zproof {
 namespace {

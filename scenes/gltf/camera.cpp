@@ -1,4 +1,4 @@
-#include "scenes/gltf_camera.h"
+#include "scenes/gltf/camera.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Built where libmeshoptimizer-dev is missing: the guard refuses such files before anything here is asked.
-#include "scenes/meshopt.h"
+#include "scenes/gltf/meshopt.h"
 
 namespace zproof {
 

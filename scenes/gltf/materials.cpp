@@ -1,4 +1,4 @@
-#include "scenes/gltf_materials.h"
+#include "scenes/gltf/materials.h"
 
 #include <cmath>
 

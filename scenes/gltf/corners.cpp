@@ -1,4 +1,4 @@
-#include "scenes/gltf_corners.h"
+#include "scenes/gltf/corners.h"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "scenes/draco.h"
+#include "scenes/gltf/draco.h"
 
 #include <draco/compression/decode.h>
 #include <draco/compression/point_cloud/point_cloud_decoder.h>

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "scenes/gltf_container.h"
-#include "scenes/meshopt.h"
+#include "scenes/gltf/container.h"
+#include "scenes/gltf/meshopt.h"
 
 namespace zproof {
 

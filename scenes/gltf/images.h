@@ -1,8 +1,8 @@
 /// The images of a glTF file.
 #pragma once
 
-#include "scenes/gltf_files.h"
-#include "scenes/gltf_model.h"
+#include "scenes/gltf/model.h"
+#include "scenes/scene_files.h"
 
 namespace zproof {
 

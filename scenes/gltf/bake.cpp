@@ -1,4 +1,4 @@
-#include "scenes/gltf_bake.h"
+#include "scenes/gltf/bake.h"
 
 #include <algorithm>
 #include <atomic>
@@ -12,10 +12,10 @@
 #include "math/bulk.h"
 #include "scenes/batch.h"
 #include "scenes/flat_triangles.h"
-#include "scenes/gltf_accessor.h"
-#include "scenes/gltf_corners.h"
-#include "scenes/gltf_limits.h"
+#include "scenes/gltf/accessor.h"
+#include "scenes/gltf/corners.h"
 #include "scenes/largest.h"
+#include "scenes/limits.h"
 #include "scenes/refusal.h"
 #include "scenes/vector_block.h"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "scenes/gltf_accessor.h"
+#include "scenes/gltf/accessor.h"
 
 namespace zproof {
 

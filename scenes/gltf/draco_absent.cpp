@@ -1,5 +1,5 @@
 // Built where libdraco-dev is missing: the guard refuses such files before anything here is asked.
-#include "scenes/draco.h"
+#include "scenes/gltf/draco.h"
 
 namespace zproof {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "scenes/gltf_container.h"
-#include "scenes/gltf_files.h"
+#include "scenes/gltf/container.h"
+#include "scenes/scene_files.h"
 
 namespace zproof {
 

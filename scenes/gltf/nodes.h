@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "scenes/gltf_model.h"
+#include "scenes/gltf/model.h"
 
 namespace zproof {
 

@@ -1,4 +1,4 @@
-#include "scenes/gltf_images.h"
+#include "scenes/gltf/images.h"
 
 #include <tbb/parallel_for.h>
 
@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "scenes/gltf_image.h"
-#include "scenes/gltf_limits.h"
+#include "scenes/limits.h"
 #include "scenes/refusal.h"
+#include "scenes/texture_image.h"
 
 namespace zproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "scenes/gltf_guard.h"
+#include "scenes/gltf/guard.h"
 
 #include <tiny_gltf.h>
 
@@ -6,8 +6,8 @@
 #include <cctype>
 #include <string>
 
-#include "scenes/gltf_compression.h"
-#include "scenes/gltf_schema.h"
+#include "scenes/gltf/compression.h"
+#include "scenes/gltf/schema.h"
 #include "scenes/refusal.h"
 
 namespace zproof {

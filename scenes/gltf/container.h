@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "scenes/gltf_files.h"
+#include "scenes/scene_files.h"
 
 namespace zproof {
 

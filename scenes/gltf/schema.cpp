@@ -1,10 +1,10 @@
-#include "scenes/gltf_schema.h"
+#include "scenes/gltf/schema.h"
 
 #include <algorithm>
 #include <string>
 #include <string_view>
 
-#include "scenes/gltf_limits.h"
+#include "scenes/limits.h"
 #include "scenes/refusal.h"
 
 namespace zproof {

@@ -1,11 +1,11 @@
-#include "scenes/gltf_check.h"
+#include "scenes/gltf/check.h"
 
 #include <algorithm>
 #include <numbers>
 #include <optional>
 
-#include "scenes/gltf_accessor.h"
-#include "scenes/gltf_limits.h"
+#include "scenes/gltf/accessor.h"
+#include "scenes/limits.h"
 #include "scenes/refusal.h"
 
 namespace zproof {

@@ -1,4 +1,4 @@
-#include "scenes/gltf_nodes.h"
+#include "scenes/gltf/nodes.h"
 
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>

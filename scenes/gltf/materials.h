@@ -1,7 +1,7 @@
 /// Materials: base colour factor and texture; nothing else of a material is baked.
 #pragma once
 
-#include "scenes/gltf_model.h"
+#include "scenes/gltf/model.h"
 #include "scenes/scene.h"
 
 namespace zproof {

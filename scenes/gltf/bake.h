@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "scenes/gltf_model.h"
-#include "scenes/gltf_nodes.h"
+#include "scenes/gltf/model.h"
+#include "scenes/gltf/nodes.h"
 #include "scenes/scene.h"
 
 namespace zproof {

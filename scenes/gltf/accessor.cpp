@@ -1,4 +1,4 @@
-#include "scenes/gltf_accessor.h"
+#include "scenes/gltf/accessor.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "scenes/gltf_limits.h"
 #include "scenes/largest.h"
+#include "scenes/limits.h"
 #include "scenes/refusal.h"
 
 namespace zproof {

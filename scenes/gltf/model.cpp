@@ -1,15 +1,15 @@
-#include "scenes/gltf_model.h"
+#include "scenes/gltf/model.h"
 
 #include <concepts>
 #include <span>
 #include <stdexcept>
 
-#include "scenes/gltf_check.h"
-#include "scenes/gltf_compression.h"
-#include "scenes/gltf_guard.h"
-#include "scenes/gltf_images.h"
-#include "scenes/gltf_limits.h"
+#include "scenes/gltf/check.h"
+#include "scenes/gltf/compression.h"
+#include "scenes/gltf/guard.h"
+#include "scenes/gltf/images.h"
 #include "scenes/json_text.h"
+#include "scenes/limits.h"
 #include "scenes/refusal.h"
 
 namespace zproof {

@@ -1,11 +1,11 @@
-#include "scenes/gltf.h"
+#include "scenes/gltf/gltf.h"
 
 #include "scenes/frame_all.h"
-#include "scenes/gltf_bake.h"
-#include "scenes/gltf_camera.h"
-#include "scenes/gltf_materials.h"
-#include "scenes/gltf_model.h"
-#include "scenes/gltf_nodes.h"
+#include "scenes/gltf/bake.h"
+#include "scenes/gltf/camera.h"
+#include "scenes/gltf/materials.h"
+#include "scenes/gltf/model.h"
+#include "scenes/gltf/nodes.h"
 #include "scenes/refusal.h"
 #include "scenes/scene_error.h"
 

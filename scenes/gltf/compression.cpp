@@ -1,14 +1,14 @@
-#include "scenes/gltf_compression.h"
+#include "scenes/gltf/compression.h"
 
 #include <array>
 #include <cstring>
 #include <span>
 #include <utility>
 
-#include "scenes/draco.h"
-#include "scenes/gltf_accessor.h"
-#include "scenes/gltf_limits.h"
-#include "scenes/gltf_schema.h"
+#include "scenes/gltf/accessor.h"
+#include "scenes/gltf/draco.h"
+#include "scenes/gltf/schema.h"
+#include "scenes/limits.h"
 #include "scenes/refusal.h"
 
 namespace zproof {

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "scenes/gltf_files.h"
-#include "scenes/gltf_model.h"
+#include "scenes/gltf/model.h"
+#include "scenes/scene_files.h"
 
 namespace zproof {
 

@@ -1,4 +1,4 @@
-#include "scenes/gltf_container.h"
+#include "scenes/gltf/container.h"
 
 #include <algorithm>
 #include <string>
