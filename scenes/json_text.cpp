@@ -1,9 +1,6 @@
 #include "scenes/json_text.h"
 
-#include <string>
-
 #include "scenes/limits.h"
-#include "scenes/refusal.h"
 
 namespace zproof {
 namespace {

@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "scenes/gltf/materials.h"
 #include "scenes/limits.h"
 #include "scenes/obj_materials.h"
 #include "scenes/polygon_mesh.h"

@@ -58,6 +58,19 @@ void note_triangles(Scene& scene) {
     if (scene.triangles.empty()) scene.notes.push_back("no triangles: there is nothing to judge");
 }
 
+void drop_textures_without_uv(Scene& scene) {
+    std::uint64_t dropped = 0;
+    for (Material& material : scene.materials) {
+        Texture& texture = material.base_color;
+        const bool has_uv = static_cast<std::size_t>(texture.uv_set) < scene.vertices.uv.size() &&
+                            !scene.vertices.uv[static_cast<std::size_t>(texture.uv_set)].empty();
+        if (has_uv) continue;
+        dropped += texture.image != Texture::none;
+        texture = {};
+    }
+    note_count(scene, dropped, "materials untextured, since no primitive has their uv set");
+}
+
 Loaded with_default_view(const std::filesystem::path& file, Scene scene, int width, int height) {
     try {
         const Camera camera = frame_all(scene, static_cast<double>(width) / height);

@@ -1,4 +1,4 @@
-#include "scenes/gltf/meshopt.h"
+#include "scenes/gltf/decoders.h"
 
 #include <meshoptimizer.h>
 

@@ -1,13 +1,11 @@
 #include "scenes/gltf/model.h"
 
-#include <concepts>
-#include <span>
-#include <stdexcept>
+#include <algorithm>
+#include <utility>
 
+#include "scenes/gltf/bake.h"
 #include "scenes/gltf/check.h"
 #include "scenes/gltf/compression.h"
-#include "scenes/gltf/guard.h"
-#include "scenes/gltf/images.h"
 #include "scenes/json_text.h"
 #include "scenes/limits.h"
 #include "scenes/refusal.h"
@@ -15,99 +13,138 @@
 namespace zproof {
 namespace {
 
-using Files = std::span<const AdmittedFile>;
+/// Views of the bytes that were opened.
+struct Container {
+    std::string_view json;
+    std::span<const unsigned char> bin;
+};
 
-/// tinygltf asks for the buffers' files first, in order, and then for those of the images, which it is told
-/// are not there: only images in use are read, and later. The names that it asks by are not looked at.
-/// Callbacks: tinygltf::FsCallbacks, which has a size from version 2.8 on.
-template <class Callbacks>
-Callbacks in_order(Files& files) {
-    Callbacks callbacks{};
-    callbacks.FileExists = [](const std::string&, void* user) { return !static_cast<Files*>(user)->empty(); };
-    callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
-    callbacks.ReadWholeFile = [](std::vector<unsigned char>* to, std::string*, const std::string&,
-                                 void* user) {
-        Files& left = *static_cast<Files*>(user);
-        to->resize(left.front().bytes);
-        read_first(left.front().path, *to);
-        left = left.subspan(1);
-        return true;
-    };
-    callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&,
-                                  void*) { return false; };
-    if constexpr (requires { callbacks.GetFileSizeInBytes; })
-        callbacks.GetFileSizeInBytes = [](std::size_t* bytes, std::string*, const std::string&, void* user) {
-            *bytes = static_cast<Files*>(user)->front().bytes;
-            return true;
-        };
-    callbacks.user_data = &files;
-    return callbacks;
+constexpr std::uint32_t chunk_json = 0x4E4F534A, chunk_bin = 0x004E4942;
+constexpr std::string_view magic = "glTF";
+constexpr std::string_view again = "; export the file again";
+
+std::uint32_t read_u32(const Bytes& bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value |= static_cast<std::uint32_t>(bytes[at + i]) << (8 * i);
+    return value;
 }
 
-/// From 2.8.23 on tinygltf refuses callbacks of which one is missing, and would open files by itself.
-template <class Parser>
-void let_read(Parser& parser, Files& files) {
-    const auto callbacks = in_order<tinygltf::FsCallbacks>(files);
-    if constexpr (requires {
-                      { parser.SetFsCallbacks(callbacks) } -> std::same_as<bool>;
-                  }) {
-        if (!parser.SetFsCallbacks(callbacks)) throw std::logic_error{"tinygltf wants another callback"};
-    } else {
-        parser.SetFsCallbacks(callbacks);
+std::string at_byte(std::size_t byte) { return "byte " + std::to_string(byte); }
+
+void check_header(const std::filesystem::path& file, const Bytes& bytes) {
+    if (bytes.size() < 12) refuse(file, "GLB header", std::string("expected 12 bytes") + std::string(again));
+    if (const std::uint32_t version = read_u32(bytes, 4); version != 2)
+        refuse(file, at_byte(4), "expected GLB version 2, found " + std::to_string(version));
+    if (const std::uint32_t length = read_u32(bytes, 8); length != bytes.size())
+        refuse(file, at_byte(8),
+               "expected the file's length " + std::to_string(bytes.size()) + ", found " +
+                   std::to_string(length) + std::string(again));
+}
+
+/// The length of the chunk whose header is there.
+std::size_t chunk_length(const std::filesystem::path& file, const Bytes& bytes, std::size_t at) {
+    if (bytes.size() - at < 8)
+        refuse(file, at_byte(at), "expected a chunk header of 8 bytes" + std::string(again));
+    const std::size_t length = read_u32(bytes, at);
+    if (length > bytes.size() - at - 8)
+        refuse(file, at_byte(at),
+               "chunk of " + std::to_string(length) + " bytes runs past the file's end" + std::string(again));
+    if (length % 4 != 0)
+        refuse(file, at_byte(at), "expected a chunk length that is a multiple of 4" + std::string(again));
+    return length;
+}
+
+Container open_glb(const std::filesystem::path& file, const Bytes& bytes) {
+    check_header(file, bytes);
+    Container glb;
+    std::size_t at = 12;
+    for (int number = 0; number == 0 || at < bytes.size(); ++number) {
+        const std::size_t length = chunk_length(file, bytes, at);
+        const std::uint32_t type = read_u32(bytes, at + 4);
+        if ((type == chunk_json) != (number == 0) || (type == chunk_bin && number > 1))
+            refuse(file, at_byte(at),
+                   "expected one JSON chunk, then at most one BIN chunk" + std::string(again));
+        const std::span<const unsigned char> content = std::span(bytes).subspan(at + 8, length);
+        if (type == chunk_json) glb.json = {reinterpret_cast<const char*>(content.data()), length};
+        if (type == chunk_bin) glb.bin = content;
+        at += 8 + length;
     }
+    return glb;
 }
 
-/// Keeps what a data URI holds; decodes nothing.
-bool keep_encoded(tinygltf::Image* image, int, std::string*, std::string*, int, int,
-                  const unsigned char* bytes, int size, void*) {
-    if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
-    return true;
+/// Tells GLB from JSON by its first bytes and checks magic, version, lengths and order of chunks.
+Container open_container(const std::filesystem::path& file, const Bytes& bytes) {
+    if (bytes.empty()) refuse(file, "file", "is empty; expected glTF 2.0 JSON or a GLB");
+    const bool has_magic = bytes.size() >= 4 && std::equal(magic.begin(), magic.end(), bytes.begin());
+    if (has_magic || file.extension() == ".glb") {
+        if (!has_magic) refuse(file, at_byte(0), "expected the magic \"glTF\" of a GLB" + std::string(again));
+        return open_glb(file, bytes);
+    }
+    return {{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, {}};
 }
 
-/// A GLB without bytes in a BIN chunk is given as text, since tinygltf refuses an empty or unknown second
-/// chunk.
-tinygltf::Model parsed(const std::filesystem::path& file, const Bytes& bytes, const Container& container,
-                       Files files) {
-    tinygltf::TinyGLTF parser;
-    let_read(parser, files);
-    parser.SetImageLoader(keep_encoded, nullptr);
-    tinygltf::Model model;
-    std::string error, warning;
-    const bool is_read = container.bin.empty()
-                             ? parser.LoadASCIIFromString(&model, &error, &warning, container.json.data(),
-                                                          static_cast<unsigned>(container.json.size()), "")
-                             : parser.LoadBinaryFromMemory(&model, &error, &warning, bytes.data(),
-                                                           static_cast<unsigned>(bytes.size()));
-    if (!is_read) refuse(file, "glTF", "tinygltf cannot read it: " + error.substr(0, error.find('\n')));
+/// The structure that the JSON states.
+GltfModel parsed(const std::filesystem::path& file, const Container& container) {
+    const nlohmann::json document = parse_json(file, container.json);
+    check_schema(file, document);
+    GltfModel model;
+    model.file = file;
+    model.chunk = container.bin;
+    if (const auto animations = document.find("animations"); animations != document.end())
+        model.animations = animations->size();
+    try {
+        document.get_to(model.document);
+    } catch (const nlohmann::json::exception& error) {
+        refuse(file, "glTF", std::string("cannot be read: ") + error.what());
+    }
     return model;
 }
 
-/// The same of other JSON.
-tinygltf::Model parsed_again(const std::filesystem::path& file, const nlohmann::json& json,
-                             const Container& container, Files files) {
-    const std::string text = json.dump();
-    const Container changed{text, container.bin};
-    const Bytes glb = changed.bin.empty() ? Bytes{} : packed_glb(changed);
-    return parsed(file, glb, changed, files);
+/// The files are all looked at before the first is read.
+void read_buffers(Admission& admission, GltfModel& model) {
+    const std::set<int> without_bytes = stand_ins(model);
+    std::vector<std::pair<Bytes*, AdmittedFile>> files;
+    for (std::size_t i = 0; i < model.document.buffers.size(); ++i) {
+        gltf::Buffer& buffer = model.document.buffers[i];
+        if (without_bytes.contains(static_cast<int>(i))) continue;
+        if (buffer.uri.empty())
+            buffer.chunk = model.chunk.first(buffer.byteLength);
+        else if (tinygltf::IsDataURI(buffer.uri))
+            buffer.own = decoded_uri(std::exchange(buffer.uri, "")).bytes;
+        else
+            files.emplace_back(&buffer.own,
+                               admission.admit(pointer("buffers", i, "/uri"), buffer.uri, buffer.byteLength));
+    }
+    for (const auto& [to, file] : files) {
+        to->resize(file.bytes);
+        read_first(file.path, *to);
+    }
 }
 
 }  // namespace
 
+int component_count(std::string_view type) {
+    if (type == "SCALAR") return 1;
+    const int side = type.back() - '0';
+    return type.starts_with("MAT") ? side * side : side;
+}
+
+DecodedUri decoded_uri(const std::string& uri) {
+    std::vector<unsigned char> bytes;
+    DecodedUri decoded;
+    tinygltf::DecodeDataURI(&bytes, decoded.type, uri, 0, false);
+    decoded.bytes.assign(bytes.begin(), bytes.end());
+    return decoded;
+}
+
 GltfModel read_gltf(const std::filesystem::path& file) {
-    const Bytes bytes = read_file(file, limits::file_bytes);
-    const Container container = open_container(file, bytes);
+    Bytes bytes = read_file(file, limits::file_bytes);
+    GltfModel model = parsed(file, open_container(file, bytes));
+    model.bytes = std::move(bytes);
+    model.notes = check_model(model);
     Admission admission(file);
-    nlohmann::json json = parse_json(file, container.json);
-    Guarded found = guarded(file, json, container, admission);
-    const CompressedMeshes compressed = take_out_compressed(json, container);
-    GltfModel model{.file = file,
-                    .gltf = compressed.empty() ? parsed(file, bytes, container, found.buffers)
-                                               : parsed_again(file, json, container, found.buffers),
-                    .images = {},
-                    .notes = std::move(found.notes)};
-    put_indices_back(compressed, model.gltf);
-    for (std::string& note : check_model(file, model.gltf)) model.notes.push_back(std::move(note));
-    decode_compressed(file, compressed, model.gltf);
+    read_buffers(admission, model);
+    decode_compressed(model);
     read_images(admission, model);
     return model;
 }

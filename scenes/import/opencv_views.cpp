@@ -1,7 +1,6 @@
 #include "scenes/import/unique_names.h"
 #include "scenes/import/view_import.h"
 #include "scenes/json_text.h"
-#include "scenes/located_value.h"
 #include "scenes/scene_error.h"
 #include "scenes/scene_files.h"
 
