@@ -60,19 +60,20 @@ double component(const Elements& elements, std::size_t i, int c) {
     }
 }
 
-std::uint32_t index_at(const Elements& elements, std::size_t i) {
-    const unsigned char* from = elements.first + i * elements.stride;
-    switch (elements.component_type) {
+namespace {
+
+/// read(T{}) with the type T of the indices.
+template <typename Read>
+auto by_index_type(const Elements& indices, const Read& read) {
+    switch (indices.component_type) {
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return load<std::uint8_t>(from);
+            return read(std::uint8_t{});
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return load<std::uint16_t>(from);
+            return read(std::uint16_t{});
         default:
-            return load<std::uint32_t>(from);
+            return read(std::uint32_t{});
     }
 }
-
-namespace {
 
 template <typename T>
 void read_indices_of(const Elements& elements, std::size_t first, std::span<std::uint32_t> to) {
@@ -122,26 +123,17 @@ std::optional<std::size_t> first_not_finite(const Elements& elements) {
 
 }  // namespace
 
+std::uint32_t index_at(const Elements& elements, std::size_t i) {
+    const unsigned char* from = elements.first + i * elements.stride;
+    return by_index_type(elements, [=]<typename T>(T) -> std::uint32_t { return load<T>(from); });
+}
+
 void read_indices(const Elements& elements, std::size_t first, std::span<std::uint32_t> to) {
-    switch (elements.component_type) {
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return read_indices_of<std::uint8_t>(elements, first, to);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return read_indices_of<std::uint16_t>(elements, first, to);
-        default:
-            return read_indices_of<std::uint32_t>(elements, first, to);
-    }
+    by_index_type(elements, [&]<typename T>(T) { read_indices_of<T>(elements, first, to); });
 }
 
 std::uint32_t largest_index(const Elements& elements) {
-    switch (elements.component_type) {
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return largest_index_of<std::uint8_t>(elements);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return largest_index_of<std::uint16_t>(elements);
-        default:
-            return largest_index_of<std::uint32_t>(elements);
-    }
+    return by_index_type(elements, [&]<typename T>(T) { return largest_index_of<T>(elements); });
 }
 
 const Elements& Accessors::elements(int accessor) {
