@@ -10,7 +10,7 @@
 #include "bench/scenes.h"
 #include "bench/suites.h"
 #include "scenes/glb_writer.h"
-#include "scenes/gltf.h"
+#include "scenes/gltf/gltf.h"
 #include "tests/support/test_folder.h"
 
 namespace zproof::bench {

@@ -1,9 +1,6 @@
 #include "scenes/json_text.h"
 
-#include <string>
-
-#include "scenes/gltf_limits.h"
-#include "scenes/refusal.h"
+#include "scenes/limits.h"
 
 namespace zproof {
 namespace {
@@ -35,7 +32,7 @@ class Extent {
         if (count > limit) refuse_here(fault + ": at most " + std::to_string(limit) + " " + of);
     }
 
-    /// Goes to the quote that closes a string. tinygltf cuts a name at the character 0.
+    /// Goes to the quote that closes a string. Whoever reads a name up to the character 0 would cut it.
     void skip_string() {
         for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_) {
             if (text_[at_] != '\\') continue;

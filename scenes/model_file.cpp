@@ -1,6 +1,6 @@
 #include "scenes/model_file.h"
 
-#include "scenes/gltf.h"
+#include "scenes/gltf/gltf.h"
 #include "scenes/polygon_mesh.h"
 
 namespace zproof {

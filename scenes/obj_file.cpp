@@ -10,11 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "scenes/gltf_files.h"
-#include "scenes/gltf_limits.h"
-#include "scenes/gltf_materials.h"
+#include "scenes/limits.h"
 #include "scenes/obj_materials.h"
 #include "scenes/refusal.h"
+#include "scenes/scene_files.h"
 
 namespace zproof {
 namespace {

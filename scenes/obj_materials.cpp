@@ -9,11 +9,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "scenes/gltf_files.h"
-#include "scenes/gltf_image.h"
-#include "scenes/gltf_limits.h"
+#include "scenes/limits.h"
 #include "scenes/refusal.h"
 #include "scenes/scene_error.h"
+#include "scenes/scene_files.h"
+#include "scenes/texture_image.h"
 
 namespace zproof {
 namespace {

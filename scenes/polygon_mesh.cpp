@@ -7,7 +7,7 @@
 
 #include "scenes/flat_triangles.h"
 #include "scenes/frame_all.h"
-#include "scenes/gltf_limits.h"
+#include "scenes/limits.h"
 #include "scenes/refusal.h"
 #include "scenes/scene_error.h"
 
@@ -56,6 +56,19 @@ void note_triangles(Scene& scene) {
     note_count(scene, flat_among(scene.triangles, scene.vertices.position_world),
                "triangles without area, kept");
     if (scene.triangles.empty()) scene.notes.push_back("no triangles: there is nothing to judge");
+}
+
+void drop_textures_without_uv(Scene& scene) {
+    std::uint64_t dropped = 0;
+    for (Material& material : scene.materials) {
+        Texture& texture = material.base_color;
+        const bool has_uv = static_cast<std::size_t>(texture.uv_set) < scene.vertices.uv.size() &&
+                            !scene.vertices.uv[static_cast<std::size_t>(texture.uv_set)].empty();
+        if (has_uv) continue;
+        dropped += texture.image != Texture::none;
+        texture = {};
+    }
+    note_count(scene, dropped, "materials untextured, since no primitive has their uv set");
 }
 
 Loaded with_default_view(const std::filesystem::path& file, Scene scene, int width, int height) {

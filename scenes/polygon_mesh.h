@@ -1,4 +1,4 @@
-/// The readers of OBJ and PLY, and what they share.
+/// The readers of OBJ and PLY, and what readers of model files share.
 #pragma once
 
 #include <cstdint>
@@ -32,6 +32,10 @@ void note_triangles(Scene& scene);
 
 /// "TEXT: COUNT" for a count above 0.
 void note_count(Scene& scene, std::uint64_t count, const std::string& text);
+
+/// A texture whose uv set no primitive has is dropped, with a note: afterwards uv_set < uv.size() for every
+/// texture.
+void drop_textures_without_uv(Scene& scene);
 
 /// The scene with the view "frame-all". Throws SceneError where float32 cannot hold such an eye.
 Loaded with_default_view(const std::filesystem::path& file, Scene scene, int width, int height);

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "scenes/cryptomatte.h"
-#include "scenes/gltf_files.h"
 #include "scenes/json_text.h"
 #include "scenes/refusal.h"
+#include "scenes/scene_files.h"
 
 namespace zproof {
 

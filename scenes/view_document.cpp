@@ -57,7 +57,21 @@ std::array<std::array<double, 4>, 2> raster_from_ndc(const View& view) {
             std::array{0.0, -view.height / 2.0, 0.0, view.height / 2.0}};
 }
 
+bool is_name_character(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_' || c == '.';
+}
+
 }  // namespace
+
+std::string view_name(const std::string& text) {
+    std::string name = text.substr(0, 64);
+    for (char& c : name)
+        if (!is_name_character(c)) c = '_';
+    if (name.empty()) return "camera";
+    if (name.front() == '.') name.front() = '_';
+    return name;
+}
 
 std::string camera_document(const View& view) {
     json entry = view_entry(view);

@@ -8,6 +8,10 @@
 
 namespace zproof {
 
+/// The text with every character that a view's name may not have replaced by '_'; never empty, at most 64
+/// long.
+std::string view_name(const std::string& text);
+
 /// The view file that judges the glTF file `scene` (a path from the view file's folder) from these views;
 /// load_view_file gives back their bits.
 std::string view_document(const std::string& scene, std::span<const View> views);

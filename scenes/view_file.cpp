@@ -10,13 +10,12 @@
 #include <string_view>
 #include <utility>
 
-#include "scenes/gltf_camera.h"
-#include "scenes/gltf_files.h"
 #include "scenes/json_text.h"
-#include "scenes/located_value.h"
 #include "scenes/model_file.h"
 #include "scenes/refusal.h"
 #include "scenes/scene_error.h"
+#include "scenes/scene_files.h"
+#include "scenes/view_document.h"
 
 namespace zproof {
 namespace {

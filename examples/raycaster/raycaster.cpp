@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "image_io/image_io.h"
-#include "scenes/gltf.h"
+#include "scenes/gltf/gltf.h"
 
 namespace {
 

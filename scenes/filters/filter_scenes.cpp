@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "scenes/filters/scenes.h"
-#include "scenes/gltf_files.h"
-#include "scenes/gltf_image.h"
-#include "scenes/gltf_limits.h"
+#include "scenes/limits.h"
 #include "scenes/scene_error.h"
+#include "scenes/scene_files.h"
+#include "scenes/texture_image.h"
 
 namespace zproof {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "scenes/gltf_camera.h"
 #include "scenes/scene_error.h"
+#include "scenes/view_document.h"
 
 namespace zproof {
 namespace {

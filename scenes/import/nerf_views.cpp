@@ -2,11 +2,10 @@
 #include <array>
 #include <cmath>
 
-#include "scenes/gltf_files.h"
 #include "scenes/import/view_import.h"
 #include "scenes/json_text.h"
-#include "scenes/located_value.h"
 #include "scenes/scene_error.h"
+#include "scenes/scene_files.h"
 
 namespace zproof {
 namespace {

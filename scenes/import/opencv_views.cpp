@@ -1,8 +1,7 @@
-#include "scenes/gltf_files.h"
 #include "scenes/import/view_import.h"
 #include "scenes/json_text.h"
-#include "scenes/located_value.h"
 #include "scenes/scene_error.h"
+#include "scenes/scene_files.h"
 
 namespace zproof {
 namespace {

@@ -1,5 +1,5 @@
 // A .glb with right lengths around any JSON and any BIN chunk; gltf.cpp has those with wrong ones.
-#include "scenes/gltf.h"
+#include "scenes/gltf/gltf.h"
 #include "scenes/judged_ranges.h"
 #include "scenes/scene_error.h"
 #include "tests/fuzz/image_module.h"

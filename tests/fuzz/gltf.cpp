@@ -1,5 +1,5 @@
 // A .gltf, or a .glb where the bytes begin as one: loaded, baked, and held to the ranges that are judged.
-#include "scenes/gltf.h"
+#include "scenes/gltf/gltf.h"
 
 #include "scenes/judged_ranges.h"
 #include "scenes/scene_error.h"

@@ -1,5 +1,5 @@
 // The bytes of a texture: a PNG or a JPEG of at most 64 Ki texels, which decode quickly.
-#include "scenes/gltf_image.h"
+#include "scenes/texture_image.h"
 #include "tests/fuzz/harness.h"
 #include "tests/fuzz/image_module.h"
 

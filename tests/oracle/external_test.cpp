@@ -10,7 +10,7 @@
 #include "image_io/image_io.h"
 #include "oracle/oracle_error.h"
 #include "oracle/scratch_folder.h"
-#include "scenes/gltf.h"
+#include "scenes/gltf/gltf.h"
 
 namespace zproof::oracle {
 namespace {

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <limits>
 
-#include "scenes/gltf.h"
+#include "scenes/gltf/gltf.h"
 #include "scenes/scene_error.h"
 #include "scenes/suite.h"
 #include "scenes/view_file.h"

@@ -1,5 +1,5 @@
 // Draco and meshopt: what is decoded is the scene that was encoded, and broken streams are refused.
-#include "scenes/gltf_compression.h"
+#include "scenes/gltf/compression.h"
 
 #include <draco/compression/decode.h>
 #include <draco/compression/encode.h>
@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/gltf.h"
+#include "scenes/gltf/gltf.h"
 #include "scenes/scene_hash.h"
 #include "tests/scenes/written_gltf.h"
 

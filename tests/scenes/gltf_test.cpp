@@ -1,4 +1,4 @@
-#include "scenes/gltf.h"
+#include "scenes/gltf/gltf.h"
 
 #include <gtest/gtest.h>
 

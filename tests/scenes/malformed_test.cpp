@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/gltf.h"
+#include "scenes/gltf/gltf.h"
 #include "scenes/scene_error.h"
 
 namespace zproof {

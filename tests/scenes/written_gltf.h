@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/gltf.h"
+#include "scenes/gltf/gltf.h"
 #include "scenes/scene_error.h"
 #include "tests/support/test_folder.h"
 

@@ -1,5 +1,5 @@
-// Built where libmeshoptimizer-dev is missing: the guard refuses such files before anything here is asked.
-#include "scenes/meshopt.h"
+// Built where libmeshoptimizer-dev is missing: such files are refused before anything here is asked.
+#include "scenes/gltf/decoders.h"
 
 namespace zproof {
 

@@ -1,4 +1,4 @@
-#include "scenes/gltf_accessor.h"
+#include "scenes/gltf/accessor.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -7,9 +7,10 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
-#include "scenes/gltf_limits.h"
 #include "scenes/largest.h"
+#include "scenes/limits.h"
 #include "scenes/refusal.h"
 
 namespace zproof {
@@ -36,8 +37,8 @@ double value_of_integer(const Elements& elements, const unsigned char* from) {
 }  // namespace
 
 std::size_t component_bytes(int component_type) {
-    return static_cast<std::size_t>(
-        tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_type)));
+    if (component_type <= TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return 1;
+    return component_type <= TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 2 : 4;
 }
 
 double component(const Elements& elements, std::size_t i, int c) {
@@ -59,19 +60,20 @@ double component(const Elements& elements, std::size_t i, int c) {
     }
 }
 
-std::uint32_t index_at(const Elements& elements, std::size_t i) {
-    const unsigned char* from = elements.first + i * elements.stride;
-    switch (elements.component_type) {
+namespace {
+
+/// read(T{}) with the type T of the indices.
+template <typename Read>
+auto by_index_type(const Elements& indices, const Read& read) {
+    switch (indices.component_type) {
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return load<std::uint8_t>(from);
+            return read(std::uint8_t{});
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return load<std::uint16_t>(from);
+            return read(std::uint16_t{});
         default:
-            return load<std::uint32_t>(from);
+            return read(std::uint32_t{});
     }
 }
-
-namespace {
 
 template <typename T>
 void read_indices_of(const Elements& elements, std::size_t first, std::span<std::uint32_t> to) {
@@ -121,26 +123,17 @@ std::optional<std::size_t> first_not_finite(const Elements& elements) {
 
 }  // namespace
 
+std::uint32_t index_at(const Elements& elements, std::size_t i) {
+    const unsigned char* from = elements.first + i * elements.stride;
+    return by_index_type(elements, [=]<typename T>(T) -> std::uint32_t { return load<T>(from); });
+}
+
 void read_indices(const Elements& elements, std::size_t first, std::span<std::uint32_t> to) {
-    switch (elements.component_type) {
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return read_indices_of<std::uint8_t>(elements, first, to);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return read_indices_of<std::uint16_t>(elements, first, to);
-        default:
-            return read_indices_of<std::uint32_t>(elements, first, to);
-    }
+    by_index_type(elements, [&]<typename T>(T) { read_indices_of<T>(elements, first, to); });
 }
 
 std::uint32_t largest_index(const Elements& elements) {
-    switch (elements.component_type) {
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return largest_index_of<std::uint8_t>(elements);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return largest_index_of<std::uint16_t>(elements);
-        default:
-            return largest_index_of<std::uint32_t>(elements);
-    }
+    return by_index_type(elements, [&]<typename T>(T) { return largest_index_of<T>(elements); });
 }
 
 const Elements& Accessors::elements(int accessor) {
@@ -161,8 +154,7 @@ bool Accessors::is_finite(int accessor) {
 const Elements& Accessors::unchecked(int accessor) {
     if (const auto found = known_.find(accessor); found != known_.end()) return found->second;
     Elements elements = packed(accessor);
-    if (model_.gltf.accessors[static_cast<std::size_t>(accessor)].sparse.isSparse)
-        elements = with_sparse(accessor, elements);
+    if (at(model_.document.accessors, accessor).sparse.count > 0) elements = with_sparse(accessor, elements);
     if (elements.first == nullptr)
         refuse(model_.file, pointer("accessors", accessor),
                "has neither bufferView nor sparse; its data is missing: export without compression");
@@ -170,20 +162,19 @@ const Elements& Accessors::unchecked(int accessor) {
 }
 
 Elements Accessors::packed(int accessor) const {
-    const tinygltf::Accessor& declared = model_.gltf.accessors[static_cast<std::size_t>(accessor)];
+    const gltf::Accessor& declared = at(model_.document.accessors, accessor);
     Elements elements{nullptr,
                       0,
                       declared.count,
                       declared.componentType,
-                      tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(declared.type)),
+                      component_count(declared.type),
                       declared.normalized};
     return declared.bufferView < 0 ? elements : view_of(declared.bufferView, declared.byteOffset, elements);
 }
 
 Elements Accessors::view_of(int buffer_view, std::size_t offset, const Elements& type) const {
-    const tinygltf::BufferView& view = model_.gltf.bufferViews[static_cast<std::size_t>(buffer_view)];
-    const std::span<const unsigned char> bytes =
-        model_.gltf.buffers[static_cast<std::size_t>(view.buffer)].data;
+    const gltf::BufferView& view = at(model_.document.bufferViews, buffer_view);
+    const std::span<const unsigned char> bytes = at(model_.document.buffers, view.buffer).data();
     Elements elements = type;
     elements.stride = view.byteStride != 0 ? view.byteStride : element_bytes(type);
     elements.first = bytes.data() + view.byteOffset + offset;
@@ -195,8 +186,8 @@ Elements Accessors::view_of(int buffer_view, std::size_t offset, const Elements&
 }
 
 Elements Accessors::with_sparse(int accessor, const Elements& base) {
-    const auto& sparse = model_.gltf.accessors[static_cast<std::size_t>(accessor)].sparse;
-    const std::size_t size = element_bytes(base), count = static_cast<std::size_t>(sparse.count);
+    const auto& sparse = at(model_.document.accessors, accessor).sparse;
+    const std::size_t size = element_bytes(base), count = sparse.count;
     written_bytes_ += size * base.count;
     if (written_bytes_ > limits::sparse_bytes)
         refuse(model_.file, pointer("accessors", accessor),
@@ -205,12 +196,11 @@ Elements Accessors::with_sparse(int accessor, const Elements& base) {
     Bytes& bytes = written_out_.emplace_back(size * base.count, 0);
     for (std::size_t i = 0; base.first != nullptr && i < base.count; ++i)
         std::memcpy(bytes.data() + i * size, base.first + i * base.stride, size);
-    const Elements indices =
-        view_of(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
-                {nullptr, 0, count, sparse.indices.componentType, 1, false});
+    const Elements indices = view_of(sparse.indices.bufferView, sparse.indices.byteOffset,
+                                     {nullptr, 0, count, sparse.indices.componentType, 1, false});
     Elements values = base;
     values.count = count;
-    values = view_of(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), values);
+    values = view_of(sparse.values.bufferView, sparse.values.byteOffset, values);
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t index = index_at(indices, i);
         if (index >= base.count || (i > 0 && index <= index_at(indices, i - 1)))
@@ -223,6 +213,76 @@ Elements Accessors::with_sparse(int accessor, const Elements& base) {
     result.first = bytes.data();
     result.stride = size;
     return result;
+}
+
+namespace {
+
+/// The corners of triangle i (glTF 2.0, 3.7.2.1). A strip's odd triangles have their last two corners
+/// swapped, so that all wind alike; a fan's triangle ends in the hub.
+glm::uvec3 corners_of(int mode, std::uint32_t i) {
+    if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) return {i, i + 1 + i % 2, i + 2 - i % 2};
+    if (mode == TINYGLTF_MODE_TRIANGLE_FAN) return {i + 1, i + 2, 0};
+    return {3 * i, 3 * i + 1, 3 * i + 2};
+}
+
+/// The indices in use, ascending and once each.
+std::vector<std::uint32_t> in_use(std::vector<std::uint32_t> indices) {
+    std::ranges::sort(indices);
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    return indices;
+}
+
+}  // namespace
+
+std::uint64_t triangle_count(int mode, std::uint64_t corners) {
+    if (mode == TINYGLTF_MODE_TRIANGLES) return corners / 3;
+    const bool is_run = mode == TINYGLTF_MODE_TRIANGLE_STRIP || mode == TINYGLTF_MODE_TRIANGLE_FAN;
+    return is_run && corners > 2 ? corners - 2 : 0;
+}
+
+void Corners::read(std::uint32_t first, std::span<glm::uvec3> to) const {
+    if (mode_ == TINYGLTF_MODE_TRIANGLES && indices_ != nullptr && within_used_.empty())
+        return read_indices(*indices_, 3 * std::size_t{first}, {&to.data()->x, 3 * to.size()});
+    for (std::uint32_t i = 0; i < to.size(); ++i) to[i] = triangle(first + i);
+}
+
+glm::uvec3 Corners::triangle(std::uint32_t i) const {
+    const glm::uvec3 at = corners_of(mode_, i);
+    return {index(at.x), index(at.y), index(at.z)};
+}
+
+std::uint32_t Corners::index(std::uint32_t corner) const {
+    if (!within_used_.empty()) return within_used_[corner];
+    return indices_ == nullptr ? corner : index_at(*indices_, corner);
+}
+
+void Unroller::check_indices(int accessor, const Elements& elements, std::uint32_t vertex_count) const {
+    if (largest_index(elements) < vertex_count) return;
+    std::size_t bad = 0;
+    while (index_at(elements, bad) < vertex_count) ++bad;
+    refuse(model_.file, "/accessors/" + std::to_string(accessor),
+           "index " + std::to_string(index_at(elements, bad)) + " at " + std::to_string(bad) +
+               "; expected indices below " + std::to_string(vertex_count) + ", the number of vertices");
+}
+
+Corners Unroller::unroll(const gltf::Primitive& primitive, std::uint32_t vertex_count) {
+    Corners corners;
+    corners.mode_ = primitive.mode;
+    corners.triangles_ = static_cast<std::uint32_t>(zproof::triangle_count(primitive.mode, vertex_count));
+    if (primitive.indices < 0) return corners;
+    const Elements& elements = accessors_.elements(primitive.indices);
+    check_indices(primitive.indices, elements, vertex_count);
+    corners.triangles_ = static_cast<std::uint32_t>(zproof::triangle_count(primitive.mode, elements.count));
+    corners.indices_ = &elements;
+    if (elements.count >= vertex_count) return corners;
+    std::vector<std::uint32_t> indices(elements.count);
+    read_indices(elements, 0, indices);
+    corners.used_ = in_use(indices);
+    for (std::uint32_t& index : indices)
+        index = static_cast<std::uint32_t>(std::ranges::lower_bound(corners.used_, index) -
+                                           corners.used_.begin());
+    corners.within_used_ = std::move(indices);
+    return corners;
 }
 
 }  // namespace zproof

@@ -1,5 +1,5 @@
-// Built where libdraco-dev is missing: the guard refuses such files before anything here is asked.
-#include "scenes/draco.h"
+// Built where libdraco-dev is missing: such files are refused before anything here is asked.
+#include "scenes/gltf/decoders.h"
 
 namespace zproof {
 

@@ -1,4 +1,4 @@
-#include "scenes/gltf_camera.h"
+#include "scenes/gltf/bake.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,17 +7,13 @@
 #include <string>
 
 #include "scenes/refusal.h"
+#include "scenes/view_document.h"
 
 namespace zproof {
 namespace {
 
 /// Differences beyond this are worth a note; nothing else depends on it.
 constexpr double worth_a_note = 1e-4;
-
-bool is_name_character(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_' || c == '.';
-}
 
 std::string unique_name(const std::string& wanted, const std::set<std::string>& taken) {
     std::string name = wanted;
@@ -33,9 +29,9 @@ class CameraBaker {
     }
 
     void bake(const PlacedNode& placed) {
-        const tinygltf::Node& node = model_.gltf.nodes[static_cast<std::size_t>(placed.node)];
+        const gltf::Node& node = at(model_.document.nodes, placed.node);
         if (node.camera < 0) return;
-        const tinygltf::Camera& intrinsics = model_.gltf.cameras[static_cast<std::size_t>(node.camera)];
+        const gltf::Camera& intrinsics = at(model_.document.cameras, node.camera);
         name_ = unique_name(view_name(node.name.empty() ? intrinsics.name : node.name), names_);
         Camera camera;
         place(placed, camera);
@@ -90,7 +86,7 @@ class CameraBaker {
                  std::to_string(aspect()));
     }
 
-    void set_perspective(const tinygltf::PerspectiveCamera& intrinsics, Camera& camera) {
+    void set_perspective(const gltf::Perspective& intrinsics, Camera& camera) {
         camera.projection = Projection::perspective;
         camera.window = symmetric_window(intrinsics.yfov, aspect());
         camera.near_depth = intrinsics.znear;
@@ -98,7 +94,7 @@ class CameraBaker {
         if (intrinsics.aspectRatio > 0) note_aspect(intrinsics.aspectRatio);
     }
 
-    void set_orthographic(const tinygltf::OrthographicCamera& intrinsics, Camera& camera) {
+    void set_orthographic(const gltf::Orthographic& intrinsics, Camera& camera) {
         camera.projection = Projection::parallel;
         const double half_width = intrinsics.ymag * aspect();
         camera.window = {-half_width, half_width, -intrinsics.ymag, intrinsics.ymag};
@@ -115,15 +111,6 @@ class CameraBaker {
 };
 
 }  // namespace
-
-std::string view_name(const std::string& text) {
-    std::string name = text.substr(0, 64);
-    for (char& c : name)
-        if (!is_name_character(c)) c = '_';
-    if (name.empty()) return "camera";
-    if (name.front() == '.') name.front() = '_';
-    return name;
-}
 
 void bake_cameras(const GltfModel& model, const std::vector<PlacedNode>& nodes, const glm::ivec2& size,
                   Loaded& loaded) {

@@ -1,4 +1,4 @@
-#include "scenes/gltf_files.h"
+#include "scenes/scene_files.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -9,7 +9,7 @@
 
 #include "frame/input_file.h"
 #include "frame/printable.h"
-#include "scenes/gltf_limits.h"
+#include "scenes/limits.h"
 #include "scenes/refusal.h"
 
 namespace zproof {

@@ -1,11 +1,7 @@
-#include "scenes/gltf.h"
+#include "scenes/gltf/gltf.h"
 
-#include "scenes/frame_all.h"
-#include "scenes/gltf_bake.h"
-#include "scenes/gltf_camera.h"
-#include "scenes/gltf_materials.h"
-#include "scenes/gltf_model.h"
-#include "scenes/gltf_nodes.h"
+#include "scenes/gltf/bake.h"
+#include "scenes/polygon_mesh.h"
 #include "scenes/refusal.h"
 #include "scenes/scene_error.h"
 
@@ -22,18 +18,6 @@ Scene bake(GltfModel& model, const std::vector<PlacedNode>& nodes) {
     return scene;
 }
 
-void add_views(const GltfModel& model, const std::vector<PlacedNode>& nodes, const glm::ivec2& size,
-               Loaded& loaded) {
-    try {
-        bake_cameras(model, nodes, size, loaded);
-        if (loaded.views.empty())
-            loaded.views.push_back(
-                {"frame-all", frame_all(loaded.scene, static_cast<double>(size.x) / size.y), size.x, size.y});
-    } catch (const SceneError& error) {
-        refuse(model.file, "cameras", error.what());
-    }
-}
-
 }  // namespace
 
 Scene load_gltf_scene(const std::filesystem::path& file) {
@@ -45,8 +29,13 @@ Loaded load_gltf(const std::filesystem::path& file, int width, int height) {
     GltfModel model = read_gltf(file);
     const std::vector<PlacedNode> nodes = placed_nodes(model);
     Loaded loaded{bake(model, nodes), {}};
-    add_views(model, nodes, {width, height}, loaded);
-    return loaded;
+    try {
+        bake_cameras(model, nodes, {width, height}, loaded);
+    } catch (const SceneError& error) {
+        refuse(file, "cameras", error.what());
+    }
+    if (!loaded.views.empty()) return loaded;
+    return with_default_view(file, std::move(loaded.scene), width, height);
 }
 
 }  // namespace zproof

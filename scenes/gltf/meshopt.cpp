@@ -1,4 +1,4 @@
-#include "scenes/meshopt.h"
+#include "scenes/gltf/decoders.h"
 
 #include <meshoptimizer.h>
 

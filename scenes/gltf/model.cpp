@@ -1,12 +1,23 @@
-#include "scenes/gltf_container.h"
+#include "scenes/gltf/model.h"
 
 #include <algorithm>
-#include <string>
+#include <utility>
 
+#include "scenes/gltf/bake.h"
+#include "scenes/gltf/check.h"
+#include "scenes/gltf/compression.h"
+#include "scenes/json_text.h"
+#include "scenes/limits.h"
 #include "scenes/refusal.h"
 
 namespace zproof {
 namespace {
+
+/// Views of the bytes that were opened.
+struct Container {
+    std::string_view json;
+    std::span<const unsigned char> bin;
+};
 
 constexpr std::uint32_t chunk_json = 0x4E4F534A, chunk_bin = 0x004E4942;
 constexpr std::string_view magic = "glTF";
@@ -16,25 +27,6 @@ std::uint32_t read_u32(const Bytes& bytes, std::size_t at) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < 4; ++i) value |= static_cast<std::uint32_t>(bytes[at + i]) << (8 * i);
     return value;
-}
-
-void write_u32(Bytes& bytes, std::size_t at, std::uint32_t value) {
-    for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<unsigned char>(value >> (8 * i));
-}
-
-void append_u32(Bytes& bytes, std::uint32_t value) {
-    bytes.resize(bytes.size() + 4);
-    write_u32(bytes, bytes.size() - 4, value);
-}
-
-/// Padded to a multiple of 4 bytes.
-void append_chunk(Bytes& bytes, std::uint32_t type, std::span<const unsigned char> content,
-                  unsigned char padding) {
-    const std::size_t length = (content.size() + 3) / 4 * 4;
-    append_u32(bytes, static_cast<std::uint32_t>(length));
-    append_u32(bytes, type);
-    bytes.insert(bytes.end(), content.begin(), content.end());
-    bytes.insert(bytes.end(), length - content.size(), padding);
 }
 
 std::string at_byte(std::size_t byte) { return "byte " + std::to_string(byte); }
@@ -80,8 +72,7 @@ Container open_glb(const std::filesystem::path& file, const Bytes& bytes) {
     return glb;
 }
 
-}  // namespace
-
+/// Tells GLB from JSON by its first bytes and checks magic, version, lengths and order of chunks.
 Container open_container(const std::filesystem::path& file, const Bytes& bytes) {
     if (bytes.empty()) refuse(file, "file", "is empty; expected glTF 2.0 JSON or a GLB");
     const bool has_magic = bytes.size() >= 4 && std::equal(magic.begin(), magic.end(), bytes.begin());
@@ -92,18 +83,70 @@ Container open_container(const std::filesystem::path& file, const Bytes& bytes) 
     return {{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, {}};
 }
 
-Bytes packed_glb(const Container& container) {
-    const std::span json(reinterpret_cast<const unsigned char*>(container.json.data()),
-                         container.json.size());
-    Bytes bytes;
-    bytes.reserve(json.size() + container.bin.size() + 40);
-    for (const char c : magic) bytes.push_back(static_cast<unsigned char>(c));
-    append_u32(bytes, 2);
-    append_u32(bytes, 0);  // the length, which is not known yet
-    append_chunk(bytes, chunk_json, json, ' ');
-    append_chunk(bytes, chunk_bin, container.bin, 0);
-    write_u32(bytes, 8, static_cast<std::uint32_t>(bytes.size()));
-    return bytes;
+/// The structure that the JSON states.
+GltfModel parsed(const std::filesystem::path& file, const Container& container) {
+    const nlohmann::json document = parse_json(file, container.json);
+    check_schema(file, document);
+    GltfModel model;
+    model.file = file;
+    model.chunk = container.bin;
+    if (const auto animations = document.find("animations"); animations != document.end())
+        model.animations = animations->size();
+    try {
+        document.get_to(model.document);
+    } catch (const nlohmann::json::exception& error) {
+        refuse(file, "glTF", std::string("cannot be read: ") + error.what());
+    }
+    return model;
+}
+
+/// The files are all looked at before the first is read.
+void read_buffers(Admission& admission, GltfModel& model) {
+    const std::set<int> without_bytes = stand_ins(model);
+    std::vector<std::pair<Bytes*, AdmittedFile>> files;
+    for (std::size_t i = 0; i < model.document.buffers.size(); ++i) {
+        gltf::Buffer& buffer = model.document.buffers[i];
+        if (without_bytes.contains(static_cast<int>(i))) continue;
+        if (buffer.uri.empty())
+            buffer.chunk = model.chunk.first(buffer.byteLength);
+        else if (tinygltf::IsDataURI(buffer.uri))
+            buffer.own = decoded_uri(std::exchange(buffer.uri, "")).bytes;
+        else
+            files.emplace_back(&buffer.own,
+                               admission.admit(pointer("buffers", i, "/uri"), buffer.uri, buffer.byteLength));
+    }
+    for (const auto& [to, file] : files) {
+        to->resize(file.bytes);
+        read_first(file.path, *to);
+    }
+}
+
+}  // namespace
+
+int component_count(std::string_view type) {
+    if (type == "SCALAR") return 1;
+    const int side = type.back() - '0';
+    return type.starts_with("MAT") ? side * side : side;
+}
+
+DecodedUri decoded_uri(const std::string& uri) {
+    std::vector<unsigned char> bytes;
+    DecodedUri decoded;
+    tinygltf::DecodeDataURI(&bytes, decoded.type, uri, 0, false);
+    decoded.bytes.assign(bytes.begin(), bytes.end());
+    return decoded;
+}
+
+GltfModel read_gltf(const std::filesystem::path& file) {
+    Bytes bytes = read_file(file, limits::file_bytes);
+    GltfModel model = parsed(file, open_container(file, bytes));
+    model.bytes = std::move(bytes);
+    model.notes = check_model(model);
+    Admission admission(file);
+    read_buffers(admission, model);
+    decode_compressed(model);
+    read_images(admission, model);
+    return model;
 }
 
 }  // namespace zproof

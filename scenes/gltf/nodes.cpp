@@ -1,4 +1,4 @@
-#include "scenes/gltf_nodes.h"
+#include "scenes/gltf/bake.h"
 
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
@@ -31,7 +31,7 @@ glm::dmat3 rotation_of(const GltfModel& model, int node, const std::vector<doubl
 }
 
 glm::dmat4 local_transform(const GltfModel& model, int index) {
-    const tinygltf::Node& node = model.gltf.nodes[static_cast<std::size_t>(index)];
+    const gltf::Node& node = at(model.document.nodes, index);
     if (!node.matrix.empty()) return from_matrix(model, index, node.matrix);
     const std::vector<double>&t = node.translation, &s = node.scale;
     glm::dmat3 linear(1.0);
@@ -50,33 +50,32 @@ bool is_finite(const glm::dmat4& matrix) {
     return true;
 }
 
-std::vector<int> all_roots(const tinygltf::Model& gltf) {
-    std::vector<bool> is_child(gltf.nodes.size(), false);
-    for (const tinygltf::Node& node : gltf.nodes)
+std::vector<int> all_roots(const std::vector<gltf::Node>& nodes) {
+    std::vector<bool> is_child(nodes.size(), false);
+    for (const gltf::Node& node : nodes)
         for (const int child : node.children) is_child[static_cast<std::size_t>(child)] = true;
     std::vector<int> roots;
-    for (std::size_t node = 0; node < gltf.nodes.size(); ++node)
+    for (std::size_t node = 0; node < nodes.size(); ++node)
         if (!is_child[node]) roots.push_back(static_cast<int>(node));
     return roots;
 }
 
-std::vector<int> roots_of(const GltfModel& model) {
-    const tinygltf::Model& gltf = model.gltf;
-    if (gltf.scenes.empty()) return all_roots(gltf);
-    return gltf.scenes[static_cast<std::size_t>(std::max(gltf.defaultScene, 0))].nodes;
+std::vector<int> roots_of(const gltf::Document& document) {
+    if (document.scenes.empty()) return all_roots(document.nodes);
+    return at(document.scenes, std::max(document.scene, 0)).nodes;
 }
 
 }  // namespace
 
 std::vector<PlacedNode> placed_nodes(const GltfModel& model) {
-    if (model.gltf.nodes.empty() && model.gltf.scenes.empty())
+    if (model.document.nodes.empty() && model.document.scenes.empty())
         refuse(model.file, "/scenes", "has neither scenes nor nodes; expected a scene to draw");
     std::vector<PlacedNode> open, placed;
     const auto put = [&](const std::vector<int>& nodes, const glm::dmat4& world_from_parent) {
         for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
             open.push_back({*node, world_from_parent});
     };
-    put(roots_of(model), glm::dmat4(1.0));
+    put(roots_of(model.document), glm::dmat4(1.0));
     while (!open.empty()) {
         PlacedNode next = open.back();
         open.pop_back();
@@ -85,7 +84,7 @@ std::vector<PlacedNode> placed_nodes(const GltfModel& model) {
             refuse(model.file, pointer("nodes", next.node),
                    "the world transform overflows; expected finite numbers: scale the scene down");
         placed.push_back(next);
-        put(model.gltf.nodes[static_cast<std::size_t>(next.node)].children, next.world_from_node);
+        put(at(model.document.nodes, next.node).children, next.world_from_node);
     }
     return placed;
 }

@@ -1,4 +1,4 @@
-#include "scenes/gltf_image.h"
+#include "scenes/texture_image.h"
 
 #include <zlib.h>
 
@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "image_io/image_io.h"
-#include "scenes/gltf_limits.h"
+#include "scenes/limits.h"
 
 namespace zproof {
 namespace {

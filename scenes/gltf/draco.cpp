@@ -1,4 +1,4 @@
-#include "scenes/draco.h"
+#include "scenes/gltf/decoders.h"
 
 #include <draco/compression/decode.h>
 #include <draco/compression/point_cloud/point_cloud_decoder.h>
@@ -60,9 +60,9 @@ std::string fault_of_attribute(const draco::PointAttribute* found, const DracoAt
 }
 
 /// The values by vertex, as the stream has them; nothing where it points beyond its own values.
-std::vector<unsigned char> values_of(const draco::PointAttribute& attribute, std::uint32_t vertices) {
+Bytes values_of(const draco::PointAttribute& attribute, std::uint32_t vertices) {
     const auto size = static_cast<std::size_t>(attribute.byte_stride());
-    std::vector<unsigned char> bytes(size * vertices);
+    Bytes bytes(size * vertices);
     for (std::uint32_t i = 0; i < vertices; ++i) {
         const draco::AttributeValueIndex value = attribute.mapped_index(draco::PointIndex(i));
         if (value.value() >= attribute.size()) return {};

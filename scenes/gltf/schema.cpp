@@ -1,10 +1,10 @@
-#include "scenes/gltf_schema.h"
+#include "scenes/gltf/check.h"
 
 #include <algorithm>
 #include <string>
 #include <string_view>
 
-#include "scenes/gltf_limits.h"
+#include "scenes/limits.h"
 #include "scenes/refusal.h"
 
 namespace zproof {
@@ -14,6 +14,7 @@ using nlohmann::json;
 
 enum class ValueKind {
     text,
+    uri,  ///< a string; an empty one would name the file itself
     boolean,
     number,
     positive,  ///< a number above 0
@@ -43,7 +44,7 @@ const Rule rules[] = {
     {"extensions/KHR_lights_punctual/lights/*/type!", text},
     {"extensions/KHR_lights_punctual/lights/*/spot/innerConeAngle|outerConeAngle", number},
     {"buffers/*/byteLength!", count},
-    {"buffers/*/uri", text},
+    {"buffers|images/*/uri", uri},
     {"bufferViews/*/buffer!", reference, "buffers"},
     {"bufferViews/*/byteLength!", count},
     {"bufferViews/*/byteStride", stride},
@@ -98,7 +99,7 @@ const Rule rules[] = {
     {"samplers/*/magFilter", one_of, "9728 9729"},
     {"samplers/*/minFilter", one_of, "9728 9729 9984 9985 9986 9987"},
     {"samplers/*/wrapS|wrapT", one_of, "10497 33071 33648"},
-    {"images/*/uri|mimeType", text},
+    {"images/*/mimeType", text},
     {"images/*/bufferView", reference, "bufferViews"},
     {"cameras/*/type!", one_of, R"("perspective" "orthographic")"},
     {"cameras/*/perspective/yfov!|znear!|zfar|aspectRatio", positive},
@@ -188,6 +189,8 @@ class Walk {
         switch (rule_->kind) {
             case text:
                 return value.is_string() ? "" : "a string";
+            case uri:
+                return value.is_string() && value != "" ? "" : "a URI";
             case boolean:
                 return value.is_boolean() ? "" : "true or false";
             case number:
@@ -228,17 +231,21 @@ class Walk {
     std::string place_;
 };
 
-}  // namespace
-
-const json& list_of(const json& gltf, const char* name) {
-    static const json none = json::array();
-    const auto found = gltf.find(name);
-    return found == gltf.end() ? none : *found;
+void check_lights(const std::filesystem::path& file, const json& gltf) {
+    const json lights =
+        gltf.value(json::json_pointer("/extensions/KHR_lights_punctual/lights"), json::array());
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (lights[i]["type"] == "spot" && !lights[i].contains("spot"))
+            refuse(file, pointer("extensions/KHR_lights_punctual/lights", i, "/spot"),
+                   "is missing; a light of this type requires it");
 }
+
+}  // namespace
 
 void check_schema(const std::filesystem::path& file, const json& gltf) {
     Walk walk(file, gltf);
     for (const Rule& rule : rules) walk.apply(rule);
+    check_lights(file, gltf);
     const std::string version = gltf["asset"]["version"];
     if (!version.starts_with("2."))
         refuse(file, "/asset/version",

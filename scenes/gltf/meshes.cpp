@@ -1,4 +1,4 @@
-#include "scenes/gltf_bake.h"
+#include "scenes/gltf/bake.h"
 
 #include <algorithm>
 #include <atomic>
@@ -12,10 +12,10 @@
 #include "math/bulk.h"
 #include "scenes/batch.h"
 #include "scenes/flat_triangles.h"
-#include "scenes/gltf_accessor.h"
-#include "scenes/gltf_corners.h"
-#include "scenes/gltf_limits.h"
+#include "scenes/gltf/accessor.h"
 #include "scenes/largest.h"
+#include "scenes/limits.h"
+#include "scenes/polygon_mesh.h"
 #include "scenes/refusal.h"
 #include "scenes/vector_block.h"
 
@@ -40,7 +40,7 @@ glm::dmat3 normal_matrix(const glm::dmat3& m) {
     return glm::determinant(m) < 0 ? -cofactors : cofactors;
 }
 
-std::optional<int> attribute(const tinygltf::Primitive& primitive, const std::string& name) {
+std::optional<int> attribute(const gltf::Primitive& primitive, const std::string& name) {
     const auto found = primitive.attributes.find(name);
     return found == primitive.attributes.end() ? std::nullopt : std::optional(found->second);
 }
@@ -75,7 +75,7 @@ class Baker {
     void reserve(const std::vector<PlacedNode>& nodes) {
         std::uint64_t triangles = 0, vertices = 0;
         for (const PlacedNode& placed : nodes)
-            for (const tinygltf::Primitive& primitive : primitives_of(placed)) {
+            for (const gltf::Primitive& primitive : primitives_of(placed)) {
                 const std::uint64_t corners = corner_count(primitive);
                 triangles += triangle_count(primitive.mode, corners);
                 vertices += std::min(corners, vertex_count(primitive));
@@ -87,10 +87,10 @@ class Baker {
     }
 
     void bake(const PlacedNode& placed) {
-        const tinygltf::Node& node = node_of(placed);
+        const gltf::Node& node = node_of(placed);
         if (node.mesh < 0) return;
         tally_.instancing += node.extensions.contains("EXT_mesh_gpu_instancing");
-        const std::vector<tinygltf::Primitive>& primitives = primitives_of(placed);
+        const std::vector<gltf::Primitive>& primitives = primitives_of(placed);
         for (std::size_t i = 0; i < primitives.size(); ++i) bake(placed, static_cast<int>(i), primitives[i]);
         tally_.singular += glm::determinant(glm::dmat3(placed.world_from_node)) == 0;
         tally_.skinned += node.skin >= 0;
@@ -113,24 +113,24 @@ class Baker {
     }
 
   private:
-    const tinygltf::Node& node_of(const PlacedNode& placed) const {
-        return model_.gltf.nodes[static_cast<std::size_t>(placed.node)];
+    const gltf::Node& node_of(const PlacedNode& placed) const {
+        return at(model_.document.nodes, placed.node);
     }
 
-    const std::vector<tinygltf::Primitive>& primitives_of(const PlacedNode& placed) const {
-        static const std::vector<tinygltf::Primitive> none;
+    const std::vector<gltf::Primitive>& primitives_of(const PlacedNode& placed) const {
+        static const std::vector<gltf::Primitive> none;
         const int mesh = node_of(placed).mesh;
-        return mesh < 0 ? none : model_.gltf.meshes[static_cast<std::size_t>(mesh)].primitives;
+        return mesh < 0 ? none : at(model_.document.meshes, mesh).primitives;
     }
 
-    std::uint64_t vertex_count(const tinygltf::Primitive& primitive) const {
+    std::uint64_t vertex_count(const gltf::Primitive& primitive) const {
         const std::optional<int> position = attribute(primitive, "POSITION");
-        return position ? model_.gltf.accessors[static_cast<std::size_t>(*position)].count : 0;
+        return position ? at(model_.document.accessors, *position).count : 0;
     }
 
-    std::uint64_t corner_count(const tinygltf::Primitive& primitive) const {
+    std::uint64_t corner_count(const gltf::Primitive& primitive) const {
         if (primitive.indices < 0 || !attribute(primitive, "POSITION")) return vertex_count(primitive);
-        return model_.gltf.accessors[static_cast<std::size_t>(primitive.indices)].count;
+        return at(model_.document.accessors, primitive.indices).count;
     }
 
     void check_limits(std::uint64_t triangles, std::uint64_t vertices) const {
@@ -140,7 +140,7 @@ class Baker {
                        " triangles or " + std::to_string(limits::vertices) + " vertices; split the scene");
     }
 
-    void bake(const PlacedNode& placed, int index, const tinygltf::Primitive& primitive) {
+    void bake(const PlacedNode& placed, int index, const gltf::Primitive& primitive) {
         const std::optional<int> position = attribute(primitive, "POSITION");
         const std::uint64_t triangles = triangle_count(primitive.mode, corner_count(primitive));
         tally_.points_and_lines += primitive.mode < TINYGLTF_MODE_TRIANGLES;
@@ -161,14 +161,13 @@ class Baker {
         append_color(primitive, baked_primitive);
     }
 
-    void append_part(const PlacedNode& placed, int index, const tinygltf::Primitive& primitive,
+    void append_part(const PlacedNode& placed, int index, const gltf::Primitive& primitive,
                      const Corners& corners) {
-        const tinygltf::Node& node = node_of(placed);
+        const gltf::Node& node = node_of(placed);
         const int default_material = static_cast<int>(scene_.materials.size()) - 1;
         scene_.parts.push_back({on_one_line(node.name),
-                                on_one_line(model_.gltf.meshes[static_cast<std::size_t>(node.mesh)].name),
-                                index, static_cast<std::uint32_t>(scene_.triangles.size()),
-                                corners.triangle_count(),
+                                on_one_line(at(model_.document.meshes, node.mesh).name), index,
+                                static_cast<std::uint32_t>(scene_.triangles.size()), corners.triangle_count(),
                                 primitive.material < 0 ? default_material : primitive.material, placed.node});
     }
 
@@ -256,7 +255,7 @@ class Baker {
         });
     }
 
-    void append_normals(const PlacedNode& placed, const tinygltf::Primitive& primitive,
+    void append_normals(const PlacedNode& placed, const gltf::Primitive& primitive,
                         const BakedPrimitive& baked_primitive) {
         const std::optional<int> accessor = attribute(primitive, "NORMAL");
         if (!accessor) return;
@@ -280,7 +279,7 @@ class Baker {
         });
     }
 
-    void append_uv(const tinygltf::Primitive& primitive, const BakedPrimitive& baked_primitive) {
+    void append_uv(const gltf::Primitive& primitive, const BakedPrimitive& baked_primitive) {
         for (std::size_t set = 0; set < limits::uv_sets; ++set) {
             const std::optional<int> accessor = attribute(primitive, "TEXCOORD_" + std::to_string(set));
             if (!accessor) continue;
@@ -292,7 +291,7 @@ class Baker {
         }
     }
 
-    void append_color(const tinygltf::Primitive& primitive, const BakedPrimitive& baked_primitive) {
+    void append_color(const gltf::Primitive& primitive, const BakedPrimitive& baked_primitive) {
         const std::optional<int> accessor = attribute(primitive, "COLOR_0");
         if (!accessor) return;
         append(scene_.vertices.color, baked_primitive, glm::vec4(1),
@@ -305,9 +304,7 @@ class Baker {
                });
     }
 
-    void note(std::uint64_t count, const std::string& text) const {
-        if (count > 0) scene_.notes.push_back(text + ": " + std::to_string(count));
-    }
+    void note(std::uint64_t count, const std::string& text) const { note_count(scene_, count, text); }
 
     void note_tally() const {
         note(tally_.points_and_lines, "primitives of points and lines skipped");
@@ -320,7 +317,7 @@ class Baker {
         note(tally_.singular, "meshes flattened by a singular transform");
         note(tally_.skinned, "skinned meshes baked at rest, by their own node's transform");
         note(tally_.morphed, "meshes with morph targets baked without them");
-        note(model_.gltf.animations.size(), "animations ignored, nodes stand at rest");
+        note(model_.animations, "animations ignored, nodes stand at rest");
         if (tally_.is_huge)
             scene_.notes.push_back("coordinates so large that their squares overflow float32");
         if (scene_.triangles.empty()) scene_.notes.push_back("no triangles: there is nothing to judge");
