@@ -4,11 +4,12 @@
     figures.py ratios [FILTER]     a line per case: zproof's time and each peer's, as multiples of zproof's
     figures.py compare OLD.json    what became slower since OLD.json, beyond the noise of both
     figures.py check [--renew]     instruction counts by callgrind beside bench/instructions.json; 1 where one grew
-    figures.py judge-table MACHINE verdicts of the suite beside Embree's rays, into docs/performance-judge.md
+    figures.py judge-table MACHINE verdicts of the suite beside Embree's rays, into docs/performance-judge.*
     figures.py plot                time and memory over triangles and pixels, as SVG
 
 Every run also writes its JSON into build/bench/. Status: 0, 1 where something is slower, 2 for a wrong word.
 """
+import csv
 import json
 import math
 import re
@@ -66,24 +67,42 @@ def ratios(filter_="."):
     return 0
 
 
-def judge_page(samples, machine, times):
-    """The least times of every view, as the page docs/performance-judge.md."""
-    lines = ["# The judge, view by view", "",
-             "What a verdict on each view of the suite costs beside Embree's rays for it, at 1920 x 1080.",
-             "[performance.md](performance.md) has the goals. `./dev bench --judge-table MACHINE` writes this page.", "",
-             f"{machine}.", f"Least times of {times}:", "",
-             "| view | verdict, ms | Embree's rays, ms | ratio |", "|---|---|---|---|"]
+def judge_page(rows, machine, times):
+    """What the rows of docs/performance-judge.csv come to, as the page beside them."""
+    ratios = sorted((verdict / rays, f"`{scene}` / {name}") for scene, name, verdict, rays in rows)
+    return f"""# The judge, view by view
+
+What a verdict on each view of the suite costs beside Embree's rays for it, at 1920 x 1080.
+[performance.md](performance.md) has the goals. `./dev bench --judge-table MACHINE` writes this page and
+[performance-judge.csv](performance-judge.csv), a row per view.
+
+{machine}.
+Least times of {times}.
+
+The verdicts on {len(rows)} views take {sum(row[2] for row in rows) / 1000:.1f} s, Embree's rays \
+{sum(row[3] for row in rows) / 1000:.1f} s.
+The median of verdict / rays is {statistics.median(ratio for ratio, _ in ratios):.2f}. \
+It is above 1 on {sum(ratio > 1 for ratio, _ in ratios)} views, at most \
+{ratios[-1][0]:.2f}: {ratios[-1][1]}.
+"""
+
+
+def judge_rows(samples):
+    """(scene, view, the verdict's least ms, the rays' least ms)"""
+    rows = []
     for (_, view), by_who in samples.items():
-        verdict, rays = min(by_who["zproof"]), min(by_who["Embree's rays"])
         scene, _, name = view.partition("-")
-        lines.append(f"| `{scene}` / {name} | {verdict:.1f} | {rays:.1f} | {verdict / rays:.2f} |")
-    return "\n".join(lines) + "\n"
+        rows.append((scene, name, round(min(by_who["zproof"]), 1), round(min(by_who["Embree's rays"]), 1)))
+    return rows
 
 
 def judge_table(machine):
     OUT.mkdir(parents=True, exist_ok=True)
     samples = run_benchmarks("^judge/", OUT / "judge.json")
-    JUDGE_PAGE.write_text(judge_page(samples, machine, f"{REPETITIONS} verdicts and frames of rays"))
+    rows = judge_rows(samples)
+    with JUDGE_PAGE.with_suffix(".csv").open("w", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows([("scene", "view", "verdict ms", "rays ms"), *rows])
+    JUDGE_PAGE.write_text(judge_page(rows, machine, f"{REPETITIONS} verdicts and frames of rays"))
     return 0
 
 

@@ -1,12 +1,9 @@
-// The manual page, the help, and what docs/cli.md says: one and the same.
+// The manual page and the help say what the command line knows.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
-#include <map>
-#include <regex>
 #include <set>
 #include <sstream>
 
@@ -14,7 +11,6 @@
 #include "oracle/subprocess.h"
 #include "program/command_line/help.h"
 #include "program/command_line/outline.h"
-#include "program/exit_code.h"
 #include "program/manual/page.h"
 #include "tests/cli/outline_of_zproof.h"
 #include "tests/cli/program.h"
@@ -23,13 +19,6 @@ namespace zproof::test {
 namespace {
 
 using testing::HasSubstr;
-
-std::string text_of(const std::string& name) {
-    std::ifstream in{std::string{ZPROOF_SOURCE_DIR} + "/" + name};
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
 
 TEST(ManualPage, IsReadWithoutAWarning) {
     const Folder folder;
@@ -95,22 +84,6 @@ TEST(Help, EveryOptionAndPositionalIsDescribed) {
         for (const OutlineOption& option : command.positionals)
             EXPECT_FALSE(option.description.empty()) << command.path << " " << option.names.back();
     }
-}
-
-/// The rows "| 3 | meaning |" of docs/cli.md.
-std::map<int, std::string> documented_statuses() {
-    const std::string text = text_of("docs/cli.md");
-    std::map<int, std::string> rows;
-    const std::regex row{R"(\n\| (\d+) \| ([^|\n]*) \|)"};
-    for (std::sregex_iterator match{text.begin(), text.end(), row}, end; match != end; ++match)
-        rows[std::stoi((*match)[1])] = (*match)[2];
-    return rows;
-}
-
-TEST(ExitStatuses, AreThoseOfTheDocumentation) {
-    std::map<int, std::string> ours;
-    for (const ExitStatus& status : exit_statuses()) ours[int(status.code)] = status.meaning;
-    EXPECT_EQ(documented_statuses(), ours);
 }
 
 }  // namespace

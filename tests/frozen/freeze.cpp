@@ -1,6 +1,6 @@
 // Freezes what the judge says, so that another judge can be held against it.
 //
-//     freeze [GROUP]...                  a line per subject, as in frozen.txt: GROUP NAME INPUT CLASSES STORY
+//     freeze [GROUP]...                  a line per subject, as in frozen.txt (record.h)
 //     freeze --into FOLDER [GROUP]...    the same, and whole texts into FOLDER/GROUP/NAME.txt
 //     freeze --text GROUP NAME           the whole text of one subject
 //

@@ -23,10 +23,19 @@ std::string how_to_look(const Record& record) {
     return "see: freeze --text " + record.group + " " + record.name;
 }
 
+std::string what_changed(const Record& record, const Record& today) {
+    if (record.counts.empty()) return "its counts are not recorded";
+    const std::string changed = difference(record.counts, today.counts);
+    return changed.empty() ? "as many of each, at other pixels" : changed;
+}
+
 void expect_same_verdict(const Subject& subject, const Record& record) {
     const Record today = record_of(subject, judged_text(subject));
-    EXPECT_EQ(today.classes, record.classes) << "another class somewhere; " << how_to_look(record);
+    EXPECT_EQ(today.classes, record.classes)
+        << "another class somewhere: " << what_changed(record, today) << "; " << how_to_look(record);
     EXPECT_EQ(today.story, record.story) << "other numbers somewhere; " << how_to_look(record);
+    if (record.counts.empty()) return;
+    EXPECT_EQ(difference(record.counts, today.counts), "") << "other counts than in frozen.txt";
 }
 
 class SameOnEveryMachine : public testing::TestWithParam<std::string> {};
@@ -39,6 +48,7 @@ TEST_P(SameOnEveryMachine, IsJudgedAsItWas) {
         SCOPED_TRACE(subject.name);
         ASSERT_TRUE(records.contains(subject.name)) << "not recorded";
         const Record& record = records.at(subject.name);
+        EXPECT_FALSE(record.counts.empty()) << "without counts by class";
         ++met;
         ASSERT_EQ(input_sha256(subject), record.input) << "not the frames that were recorded";
         expect_same_verdict(subject, record);

@@ -53,6 +53,14 @@ std::string counts_text(const ClassCounts& counts) {
     return text + "\n";
 }
 
+CountsByClass counts_by_class(const ClassCounts& counts) {
+    CountsByClass by_name;
+    for (int c = 0; c < pixel_class_count; ++c)
+        if (counts[std::size_t(c)] != 0)
+            by_name[std::string(name_of(PixelClass(c)))] = counts[std::size_t(c)];
+    return by_name;
+}
+
 std::string classes_text(const Verdict& verdict) {
     const Resolution size = verdict.classes.size();
     std::string text = "size " + std::to_string(size.width) + " x " + std::to_string(size.height) + "\n" +
@@ -143,7 +151,7 @@ void add_case(Sha256& sum, const Case& c) {
 }  // namespace
 
 VerdictText text_of(const Verdict& verdict) {
-    VerdictText text{classes_text(verdict), ""};
+    VerdictText text{classes_text(verdict), "", counts_by_class(verdict.counts)};
     for (const Finding& finding : verdict.findings)
         if (!passes(finding.verdict)) text.story += finding_text(finding);
     return text;
@@ -152,7 +160,7 @@ VerdictText text_of(const Verdict& verdict) {
 VerdictText judged_text(const Subject& subject) {
     VerdictText all;
     for (std::size_t i = 0; i < subject.cases.size(); ++i) {
-        VerdictText text{"refused\n", ""};
+        VerdictText text{"refused\n", "", {{"refused", 1}}};
         try {
             text = text_of(judged(subject.cases[i]));
         } catch (
@@ -161,6 +169,7 @@ VerdictText judged_text(const Subject& subject) {
         const std::string head = "case " + std::to_string(i) + "\n";
         all.classes += head + text.classes;
         all.story += head + text.story;
+        for (const auto& [name, count] : text.counts) all.counts[name] += count;
     }
     return all;
 }

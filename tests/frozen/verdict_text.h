@@ -1,6 +1,8 @@
 /// A verdict as lines of text, so that two judges can be held against each other.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
 
 #include "compare/verdict.h"
@@ -8,11 +10,15 @@
 
 namespace zproof::frozen {
 
+/// Pixels of each class that occurs, by its name.
+using CountsByClass = std::map<std::string, std::uint64_t>;
+
 struct VerdictText {
     std::string classes;  ///< size, counts, and the class of every pixel, row by row: "480 agree, 2 edge"
     /// A line for each pixel that fails: place, class, both answers (depths by their bits), eps, the bound of
     /// the candidate's depth, error / bound. Numbers are hexadecimal and exact.
     std::string story;
+    CountsByClass counts;  ///< a case that the judge refuses counts as one `refused`
 
     std::string both() const { return classes + story; }
 };

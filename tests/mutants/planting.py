@@ -43,11 +43,16 @@ def read_catalogue(name):
     return mutants
 
 
-def planted_text(mutant):
+def pattern_of(find):
     """Lines may be broken otherwise than in the catalogue."""
-    text = (ROOT / mutant.file).read_text()
-    pattern = r"\s+".join(re.escape(word) for word in mutant.find.split())
-    planted, times = re.subn(pattern, lambda _: mutant.put, text)
+    return r"\s+".join(re.escape(word) for word in find.split())
+
+
+def planted_text(mutant):
+    file = ROOT / mutant.file
+    if not file.is_file():
+        raise Refusal(f"{mutant.name}: there is no {mutant.file}")
+    planted, times = re.subn(pattern_of(mutant.find), lambda _: mutant.put, file.read_text())
     if times != 1:
         raise Refusal(f"{mutant.name}: the text occurs {times} times in {mutant.file}, not once: {mutant.find}")
     return planted
@@ -63,6 +68,12 @@ def check(mutants, least):
         except Refusal as refusal:
             print(refusal, file=sys.stderr)
     return 0 if plantable == len(mutants) >= least else 1
+
+
+def add_list_options(parser):
+    """What is asked of the list alone, without a build."""
+    parser.add_argument("--check", action="store_true", help="only see whether every defect can be planted")
+    parser.add_argument("--rebase", action="store_true", help="find texts that have moved again, and rewrite the list")
 
 
 def write_if_changed(file, text):

@@ -1,5 +1,6 @@
-"""The page docs/detection-tables.md, from what tests/mutants/score measured."""
+"""The page docs/detection-tables.md and the rows beside it, from what was measured of each defect."""
 import collections
+import csv
 import pathlib
 
 RIVALS = {"idiff": "`idiff`", "idiff_blender": "`idiff`, Blender's settings", "fuzzy": "fuzzy 3 x 3",
@@ -7,8 +8,19 @@ RIVALS = {"idiff": "`idiff`", "idiff_blender": "`idiff`, Blender's settings", "f
 
 HEAD = """# Detection, row by row
 
-What [detection.md](detection.md) sums up. `tests/mutants/score --table docs/detection-tables.md` writes this page, and
-`tests/mutants/score_plain --table` and `tests/mutants/score_judge --table` its last two sections.
+One row per defect of [detection.md](detection.md), and their sums. `tests/mutants/score --table
+docs/detection-tables.md` writes this page and the first two tables, `score_plain --table` and `score_judge
+--table` the last two sections and tables:
+
+| table | what was changed |
+|---|---|
+| [detection-planted.csv](detection-planted.csv) | a line of the rasterizer |
+| [detection-injected.csv](detection-injected.csv) | a good frame |
+| [detection-plain.csv](detection-plain.csv) | a line of a renderer that is not ours |
+| [detection-judge.csv](detection-judge.csv) | a line of the judge |
+
+`share`: percent of the wrong pixels that the named cause explains. `expected`: the cause that should have been
+named, where another was. `x`: this rival catches it, too; `?`: it was not asked.
 
 """
 
@@ -26,12 +38,14 @@ def dominant_class(line):
     return max(failing, key=failing.get) if failing else "-"
 
 
-def cause_cell(name, line):
+def cause_cells(line):
+    """The named cause, and the percentage that it explains."""
     cause = (line or {}).get("cause", "-")
-    share = f" ({100 * line['share']:.0f} %)" if cause != "-" else ""
-    if name not in CAUSES:
-        return cause + share
-    return cause + share + ("" if cause.startswith(CAUSES[name]) else f" **instead of** {CAUSES[name]}")
+    return ["", ""] if cause == "-" else [cause, f"{100 * line['share']:.0f}"]
+
+
+def expected_cell(name, line):
+    return "" if name not in CAUSES or is_named(name, line) else CAUSES[name]
 
 
 def is_named(name, line):
@@ -40,31 +54,42 @@ def is_named(name, line):
 
 def marks(alarms):
     """`?` where the rivals were not asked."""
-    return " | ".join("?" if alarms is None else "x" if rival in alarms else "" for rival in RIVALS)
+    return ["?" if alarms is None else "x" if rival in alarms else "" for rival in RIVALS]
 
 
 def table(head, rows):
     return "\n".join(["| " + " | ".join(head) + " |", "|" + "---|" * len(head), *rows]) + "\n"
 
 
-COLUMNS = ["defect", "caught", "class", "diagnosed cause (share explained)", *RIVALS.values()]
+def yes_or_no(is_so):
+    return "yes" if is_so else "no"
+
+
+def write_rows(page, name, columns, rows):
+    """Beside the page: detection-NAME.csv."""
+    with page.with_name(f"detection-{name}.csv").open("w", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows([columns, *rows])
+
+
+JUDGED = ["class", "cause", "share", "expected", *RIVALS]
+INJECTED_COLUMNS = ["defect", "what", "caught", *JUDGED]
+PLANTED_COLUMNS = ["area", "defect", "what", "caught", "width", *JUDGED]
+PLAIN_COLUMNS = ["area", "defect", "what", "mode", "caught", "width", "view", "class", "cause", "share",
+                 "named", "survives"]
+JUDGE_COLUMNS = ["area", "defect", "what", "killed by", "survives"]
 
 
 def fault_row(line):
-    refused = line["said"] == "refused"
-    return (f"| `{line['name']}`: {line['sentence']} | {'yes' if line['as_expected'] else '**NO**'} | "
-            f"{'refused' if refused else dominant_class(line)} | {cause_cell(line['name'], line)} | "
-            f"{marks(line['alarms'])} |")
+    found = "refused" if line["said"] == "refused" else dominant_class(line)
+    return [line["name"], line["sentence"], yes_or_no(line["as_expected"]), found, *cause_cells(line),
+            expected_cell(line["name"], line), *marks(line["alarms"])]
 
 
 def mutant_row(row):
     line, mutant = row["line"], row["mutant"]
-    caught = "yes" if line else "**NO**"
-    if line and row["size"][0] != 480:
-        caught += f", at {row['size'][0]}"
-    what = line.get("ending") or dominant_class(line) if line else "-"
-    return (f"| `{mutant.name}`: {mutant.sentence} | {caught} | {what} | {cause_cell(mutant.name, line)} | "
-            f"{marks(row['alarms'])} |")
+    found = line.get("ending") or dominant_class(line) if line else ""
+    return [mutant.area, mutant.name, mutant.sentence, yes_or_no(line), row["size"][0], found,
+            *cause_cells(line), expected_cell(mutant.name, line), *marks(row["alarms"])]
 
 
 def share(part, whole):
@@ -96,7 +121,8 @@ def diagnosis_line(rows, faults):
             f"({100 * named / max(1, len(covered)):.0f} %).\n")
 
 
-def page(rows, lines, false_alarms, catalogue_size):
+def write_page(file, rows, lines, false_alarms, catalogue_size):
+    """Both tables, too. Returns the page's text: sections of other programs follow."""
     faults = [line for line in lines if not line["control"]]
     controls = [line for line in lines if line["control"]]
     text = HEAD
@@ -108,13 +134,9 @@ def page(rows, lines, false_alarms, catalogue_size):
     text += summary(rows, faults, false_alarms) + diagnosis_line(rows, faults)
     text += (f"\nOf {len(controls)} good frames among the injected faults (`cli/selftest/clean_frames.cpp`) the gate passes "
              f"{sum(line['as_expected'] for line in controls)}.\n")
-    text += "\n## Planted defects\n\n`x`: this rival catches it, too.\n"
-    areas = collections.OrderedDict()
-    for row in rows:
-        areas.setdefault(row["mutant"].area, []).append(mutant_row(row))
-    for area, area_rows in areas.items():
-        text += f"\n### {area.capitalize()}\n\n" + table(COLUMNS, area_rows)
-    return text + "\n## Injected faults\n\n" + table(COLUMNS, [fault_row(line) for line in faults])
+    write_rows(file, "planted", PLANTED_COLUMNS, [mutant_row(row) for row in rows])
+    write_rows(file, "injected", INJECTED_COLUMNS, [fault_row(line) for line in faults])
+    return text
 
 
 def is_one_of(cause, names):
@@ -133,12 +155,11 @@ def named_as(mutant, line):
 
 def plain_row(row):
     line, mutant = row["line"], row["mutant"]
-    head = f"| `{mutant.name}`: {mutant.sentence} | `{mutant.mode}` |"
+    head = [mutant.area, mutant.name, mutant.sentence, mutant.mode, yes_or_no(line), row["size"][0]]
     if not line:
-        return f"{head} **no**, up to {row['size'][0]}: {mutant.survives or 'nobody knows why'} | - | - | - |"
-    cause = f"{line['cause']} ({100 * line['share']:.0f} %)" if "cause" in line else "-"
-    return (f"{head} {line.get('name', 'yes')} at {row['size'][0]} | {line.get('ending') or dominant_class(line)} | "
-            f"{cause} | {named_as(mutant, line)} |")
+        return [*head, "", "", "", "", "", mutant.survives or "nobody knows why"]
+    return [*head, line.get("name", ""), line.get("ending") or dominant_class(line), *cause_cells(line),
+            named_as(mutant, line), ""]
 
 
 def by_mode(rows):
@@ -168,16 +189,19 @@ def plain_sums(rows):
     return "\n".join(lines) + "\n"
 
 
+def write_plain_rows(file, rows):
+    write_rows(file, "plain", PLAIN_COLUMNS, [plain_row(row) for row in rows])
+
+
 def plain_section(rows, catalogue_size):
     text = ("## A renderer that is not ours\n\n"
             f"{len(rows)} defects of `tests/mutants/plain.txt` are planted into `tests/mutants/plain/`, one at a time.\n")
     if len(rows) < catalogue_size:
         text += f"**Not complete:** nothing is said of the {catalogue_size - len(rows)} others.\n"
-    text += plain_sums(rows) + "\n" + by_mode(rows)
-    areas = collections.OrderedDict()
-    for row in rows:
-        areas.setdefault(row["mutant"].area, []).append(plain_row(row))
-    for area, area_rows in areas.items():
-        text += f"\n### {area.capitalize()}\n\n" + table(
-            ["defect", "mode", "caught", "class", "diagnosed cause (share explained)", "named"], area_rows)
-    return text
+    return text + plain_sums(rows) + "\n" + by_mode(rows)
+
+
+def write_judge_rows(file, rows):
+    write_rows(file, "judge", JUDGE_COLUMNS,
+               [[mutant.area, mutant.name, mutant.sentence, killer,
+                 "" if killer else mutant.survives or "nobody knows why"] for mutant, killer in rows])

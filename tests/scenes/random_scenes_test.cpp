@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <set>
 
@@ -123,15 +121,6 @@ TEST(RandomScenes, AreMeantByTheirWordAndAnyTakesTurns) {
           "random:soup:1:2:3", "random:fog:1:2", "random:soup:1:2x", "random:soup:99999999999999999999:1"})
         EXPECT_THROW(random_scene_from(word), SceneError) << word;
     EXPECT_THROW(generate({.kind = "any"}), SceneError);
-}
-
-TEST(RandomScenes, AreOfTheKindsThatTheDocumentationLists) {
-    std::ifstream file(ZPROOF_SOURCE_DIR "/docs/random.md");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    for (const auto& [name, reason] : random_kinds()) {
-        const std::string row = "| `" + std::string(name) + "` | " + std::string(reason) + " |\n";
-        EXPECT_NE(text.find(row), std::string::npos) << "docs/random.md lacks the row\n" << row;
-    }
 }
 
 TEST(RandomViews, AskWhatTheSuiteDoesNot) {

@@ -4,5 +4,3 @@ target_sources(scenes_test PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/suite_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/suite_geometry_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/suite_questions_test.cpp)
-set_property(SOURCE ${CMAKE_CURRENT_LIST_DIR}/suite_test.cpp APPEND PROPERTY
-    COMPILE_DEFINITIONS ZPROOF_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -7,8 +7,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "scenes/scene_error.h"
@@ -48,18 +46,6 @@ TEST(SuiteManifest, ExpectsEveryPassingClassOfDifferenceSomewhereAndNoOtherClass
         expected.insert(entry.expects.begin(), entry.expects.end());
     }
     EXPECT_EQ(expected, (std::set<std::string>{"abutting_edges", "clip", "depth_tie", "edge"}));
-}
-
-TEST(SuiteManifest, IsWhatTheDocumentationSays) {
-    std::ifstream file(ZPROOF_SOURCE_DIR "/docs/suite.md");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    for (const SuiteEntry& entry : everything()) {
-        std::string row = "| `" + entry.name + "` | " + entry.reason + " |";
-        for (std::size_t i = 0; i < entry.expects.size(); ++i)
-            row += (i == 0 ? " `" : ", `") + entry.expects[i] + "`";
-        EXPECT_NE(text.find(row + " |\n"), std::string::npos) << "docs/suite.md lacks the row\n"
-                                                              << row << " |";
-    }
 }
 
 TEST(Suite, RefusesAnUnknownNameAndNamesIt) {
