@@ -1,6 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "compare/diagnosis/diagnosis.h"
 #include "compare/explanation/explain.h"
@@ -56,6 +60,37 @@ double error_of(const zproof::Finding& f) {
     return std::isnan(error) ? -1 : error;
 }
 
+constexpr std::size_t not_judged = std::tuple_size_v<decltype(table_columns<zproof::Finding>)>;
+
+/// The place of that name among the judge's columns.
+constexpr std::size_t judged_column(std::string_view name) {
+    return std::apply(
+        [&](const auto&... column) {
+            std::size_t place = 0;
+            (void)((column.record() == name || (++place, false)) || ...);
+            return place;
+        },
+        table_columns<zproof::Finding>);
+}
+
+template <std::size_t... i>
+Finding plain(const zproof::Finding& f, std::index_sequence<i...>) {
+    Finding told{};
+    const auto tell = [&]<std::size_t k>(std::integral_constant<std::size_t, k>) {
+        constexpr auto field = std::get<k>(finding_fields);
+        constexpr std::size_t column = judged_column(field.first);
+        auto& number = told.*field.second;
+        using Number = std::remove_reference_t<decltype(number)>;
+        if constexpr (column != not_judged)
+            number = Number(std::invoke(std::get<column>(table_columns<zproof::Finding>).get, f));
+        else
+            static_assert(std::string_view(field.first) == "is_defect");
+    };
+    (tell(std::integral_constant<std::size_t, i>{}), ...);
+    told.is_defect = zproof::is_defect(f.verdict);
+    return told;
+}
+
 }  // namespace
 
 std::span<const std::string_view> class_names() { return names; }
@@ -65,19 +100,7 @@ bool is_defect(std::uint32_t pixel_class) {
 }
 
 Finding plain(const zproof::Finding& f) {
-    return {.x = f.x,
-            .y = f.y,
-            .pixel_class = std::uint32_t(f.verdict),
-            .is_defect = zproof::is_defect(f.verdict),
-            .candidate_id = std::uint32_t(f.candidate.primitive),
-            .reference_id = std::uint32_t(f.reference.primitive),
-            .candidate_depth = f.candidate.camera_depth,
-            .reference_depth = f.reference.camera_depth,
-            .depth_low = f.candidate_depth.low,
-            .depth_truth = f.candidate_depth.truth,
-            .depth_high = f.candidate_depth.high,
-            .eps_px = f.eps_px,
-            .error_over_bound = f.error_over_bound};
+    return plain(f, std::make_index_sequence<std::tuple_size_v<decltype(finding_fields)>>{});
 }
 
 RenderedFrame candidate_of(const Verdict::Data& data) { return {data.judged, data.declared.precision}; }
