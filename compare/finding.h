@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
+#include <tuple>
 
 #include "compare/attributes/wrong_attribute.h"
 #include "compare/bounds/depth_bound.h"
@@ -31,31 +33,33 @@ struct Finding {
 /// The form of a float's bits.
 struct Bits;
 
+inline constexpr std::string_view scene_units = "scene units", the_bits = "the float32's bits";
+
 /// In the order of results.json and of findings.csv.
 template <>
 inline constexpr auto fields<Finding> = std::tuple{
-    field("x", &Finding::x, {.meaning = "column; 0 is the left one", .unit = "px"}),
-    field("y", &Finding::y, {.meaning = "0 is the top row", .unit = "px"}),
+    field("x", &Finding::x, "column; 0 is the left one", {.unit = "px"}),
+    field("y", &Finding::y, "0 is the top row", {.unit = "px"}),
     field("class", &Finding::verdict),
-    field("candidate/primitive", at(&Finding::candidate, &Answer::primitive),
+    field("candidate/primitive", at(&Finding::candidate, &Answer::primitive), "what the candidate shows",
           {.column = "candidate_id", .record = "id"}),
-    field("reference/primitive", at(&Finding::reference, &Answer::primitive), {.column = "reference_id"}),
-    field("candidate/camera_depth", at(&Finding::candidate, &Answer::camera_depth),
-          {.column = "candidate_depth", .record = "depth"}),
-    field("candidate/camera_depth_bits", as<Bits>(at(&Finding::candidate, &Answer::camera_depth))),
-    field("reference/camera_depth", at(&Finding::reference, &Answer::camera_depth),
-          {.column = "reference_depth"}),
-    field("reference/camera_depth_bits", as<Bits>(at(&Finding::reference, &Answer::camera_depth))),
-    field("eps_px", &Finding::eps_px,
-          {.meaning = "half-side of the square that the answer was judged in", .unit = "px"}),
+    field("reference/primitive", at(&Finding::reference, &Answer::primitive), "what the reference shows",
+          {.column = "reference_id"}),
+    field("candidate/camera_depth", at(&Finding::candidate, &Answer::camera_depth), "",
+          {.unit = scene_units, .column = "candidate_depth", .record = "depth"}),
+    field("candidate/camera_depth_bits", as<Bits>(at(&Finding::candidate, &Answer::camera_depth)), the_bits),
+    field("reference/camera_depth", at(&Finding::reference, &Answer::camera_depth), "",
+          {.unit = scene_units, .column = "reference_depth"}),
+    field("reference/camera_depth_bits", as<Bits>(at(&Finding::reference, &Answer::camera_depth)), the_bits),
+    field("eps_px", &Finding::eps_px, "half-side of the square that the answer was judged in",
+          {.unit = "px"}),
     field("candidate_depth_bound/low", at(&Finding::candidate_depth, &DepthBound::low),
-          {.column = "depth_low"}),
-    field("candidate_depth_bound/truth", at(&Finding::candidate_depth, &DepthBound::truth),
-          {.column = "depth_truth"}),
+          "least admissible depth", {.unit = scene_units, .column = "depth_low"}),
+    field("candidate_depth_bound/truth", at(&Finding::candidate_depth, &DepthBound::truth), "true depth",
+          {.unit = scene_units, .column = "depth_truth"}),
     field("candidate_depth_bound/high", at(&Finding::candidate_depth, &DepthBound::high),
-          {.column = "depth_high"}),
-    field("error_over_bound", &Finding::error_over_bound,
-          {.meaning = "of the candidate's depth; NaN for background"}),
+          "largest admissible depth", {.unit = scene_units, .column = "depth_high"}),
+    field("error_over_bound", &Finding::error_over_bound, "of the candidate's depth; NaN for background"),
 };
 
 }  // namespace zproof

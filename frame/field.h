@@ -11,7 +11,6 @@ namespace zproof {
 
 /// What is true of a field beside its name and its value.
 struct FieldFacts {
-    std::string_view meaning{};
     std::string_view unit{};
     std::string_view since{};   ///< results of zproof before that version may lack it; empty: none does
     std::string_view limits{};  ///< further keywords of its JSON schema: R"({"maxItems": 20})"
@@ -33,7 +32,8 @@ template <class Get, class Where = Always>
 struct Field {
     std::string_view name;  ///< "a/b": the key b of the object a
     Get get;
-    FieldFacts facts{};
+    std::string_view meaning;
+    FieldFacts facts;
     Where where{};  ///< of a record: does it have the field?
 
     constexpr std::string_view column() const { return facts.column.empty() ? name : facts.column; }
@@ -41,13 +41,15 @@ struct Field {
 };
 
 template <class Get>
-constexpr Field<Get> field(std::string_view name, Get get, FieldFacts facts = {}) {
-    return {name, get, facts};
+constexpr Field<Get> field(std::string_view name, Get get, std::string_view meaning = {},
+                           FieldFacts facts = {}) {
+    return {name, get, meaning, facts};
 }
 
 template <class Where, class Get>
-constexpr Field<Get, Where> field_where(Where where, std::string_view name, Get get, FieldFacts facts = {}) {
-    return {name, get, facts, where};
+constexpr Field<Get, Where> field_where(Where where, std::string_view name, Get get,
+                                        std::string_view meaning = {}, FieldFacts facts = {}) {
+    return {name, get, meaning, facts, where};
 }
 
 /// What is true of an object: of a whole record where it is its first row, else of a key that has fields.
@@ -98,7 +100,9 @@ constexpr Path<Outer, Inner> at(Outer outer, Inner inner) {
 template <class Outer, class... Rows>
 constexpr auto within(Outer outer, const std::tuple<Rows...>& rows) {
     return std::apply(
-        [&](const auto&... row) { return std::tuple{field(row.name, at(outer, row.get), row.facts)...}; },
+        [&](const auto&... row) {
+            return std::tuple{field(row.name, at(outer, row.get), row.meaning, row.facts)...};
+        },
         rows);
 }
 

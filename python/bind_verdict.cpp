@@ -79,18 +79,6 @@ py::array findings_of(const py::object& self) {
     return array;
 }
 
-/// Their documentation.
-std::string findings_words() {
-    std::string names;
-    std::apply(
-        [&](const auto&... field) {
-            ((names += (names.empty() ? "" : ", ") + std::string(field.first)), ...);
-        },
-        api::finding_fields);
-    return "A structured array, read-only: every pixel that is not `agree`, in raster order, with " + names +
-           ". The class is an index of CLASS_NAMES, is_defect 0 or 1.";
-}
-
 py::object worst_of(const JudgedArrays& self) {
     const auto worst = self.verdict.worst();
     return worst ? py::cast(*worst) : py::none();

@@ -97,9 +97,9 @@ inline constexpr auto fields<WrongAttribute> = std::tuple{
     ObjectFacts{"wrong_attribute"},
     field("channel", as<Channel>(&WrongAttribute::channel)),
     field("value", &WrongAttribute::value),
-    field("low", &WrongAttribute::low, {.meaning = "least admissible value"}),
-    field("truth", &WrongAttribute::truth, {.meaning = "that at the centre"}),
-    field("high", &WrongAttribute::high, {.meaning = "largest admissible value"}),
+    field("low", &WrongAttribute::low, "least admissible value"),
+    field("truth", &WrongAttribute::truth, "that at the centre"),
+    field("high", &WrongAttribute::high, "largest admissible value"),
     field("error_over_bound", &WrongAttribute::error_over_bound),
 };
 
@@ -113,13 +113,12 @@ inline constexpr auto fields<ReportedFinding> = std::tuple_cat(
     within(&ReportedFinding::finding, fields<Finding>),
     std::tuple{
         field("explanation", &ReportedFinding::explanation),
-        field("command", &ReportedFinding::command, {.meaning = "that tells more"}),
-        field("waiver", &ReportedFinding::waiver,
-              {.meaning = "the id of the waiver that lets the pixel pass", .presence = unless_empty}),
+        field("command", &ReportedFinding::command, "that tells more"),
+        field("waiver", &ReportedFinding::waiver, "the id of the waiver that lets the pixel pass",
+              {.presence = unless_empty}),
         field("wrong_attribute", at(&ReportedFinding::finding, &Finding::wrong_attribute),
-              {.meaning =
-                   "the interpolated value that makes the pixel wrong_attribute, and the admissible ones",
-               .presence = unless_empty}),
+              "the interpolated value that makes the pixel wrong_attribute, and the admissible ones",
+              {.presence = unless_empty}),
     });
 
 template <>
@@ -127,10 +126,9 @@ inline constexpr auto fields<BoundRecord> = std::tuple{
     ObjectFacts{"bound_record", "Error / bound."},
     field("max_error_over_bound", &BoundRecord::max_error_over_bound),
     field("histogram", &BoundRecord::histogram,
-          {.meaning =
-               "20 bins of 0.05, then everything from 1 up; absent where nothing was counted: as of edges "
-               "in a view whose frames agree everywhere",
-           .presence = unless_empty}),
+          "20 bins of 0.05, then everything from 1 up; absent where nothing was counted: as of edges "
+          "in a view whose frames agree everywhere",
+          {.presence = unless_empty}),
 };
 
 template <>
@@ -139,29 +137,24 @@ inline constexpr auto fields<Explanation> = std::tuple{
                 "A hypothesis about the renderer, and what the judge found when it supposed it."},
     field("name", &Explanation::name),
     field("description", &Explanation::description),
-    field("look_at", &Explanation::look_at,
-          {.meaning = "where in a renderer's code to look first", .since = "0.3"}),
-    field("explained", &Explanation::explained,
-          {.meaning = "defects that are admissible under it, of those asked"}),
+    field("look_at", &Explanation::look_at, "where in a renderer's code to look first", {.since = "0.3"}),
+    field("explained", &Explanation::explained, "defects that are admissible under it, of those asked"),
     field("asked", &Explanation::asked),
     field("contradicted", &Explanation::contradicted,
-          {.meaning = "pixels that agree and are inadmissible under it, of those checked"}),
+          "pixels that agree and are inadmissible under it, of those checked"),
     field("checked", &Explanation::checked),
     field("spared", &Explanation::saved_share,
-          {.meaning = "of what it takes to tell the defects: the share that the hypothesis spares",
-           .since = "0.3"}),
+          "of what it takes to tell the defects: the share that the hypothesis spares", {.since = "0.3"}),
 };
 
 template <>
 inline constexpr auto fields<Diagnosis> = std::tuple{
     ObjectFacts{"diagnosis", "Why the view fails; null where it has no defects."},
-    field("defects", &Diagnosis::defects, {.meaning = "of the whole view"}),
-    field("cause", &Diagnosis::cause, {.meaning = "the best explanation; null: no single cause"}),
-    field("further", &Diagnosis::further,
-          {.meaning = "causes of the defects that the first leaves",
-           .since = "0.3",
-           .limits = R"({"maxItems": 2})"}),
-    field("runners_up", &Diagnosis::runners_up, {.limits = R"({"maxItems": 3})"}),
+    field("defects", &Diagnosis::defects, "of the whole view"),
+    field("cause", &Diagnosis::cause, "the best explanation; null: no single cause"),
+    field("further", &Diagnosis::further, "causes of the defects that the first leaves",
+          {.since = "0.3", .limits = R"({"maxItems": 2})"}),
+    field("runners_up", &Diagnosis::runners_up, "", {.limits = R"({"maxItems": 3})"}),
 };
 
 template <>
@@ -178,11 +171,11 @@ inline constexpr auto fields<SampledPixels> = std::tuple{
     ObjectFacts{"sample"},
     field("pixels", &SampledPixels::pixels),
     field("stride", &SampledPixels::stride),
-    field("first", [](auto& sample) { return std::tie(sample.first_x, sample.first_y); },
-          {.meaning = "x, y"}),
-    field("seed", &SampledPixels::seed, {.meaning = "by which the first was drawn"}),
+    field(
+        "first", [](auto& sample) { return std::tie(sample.first_x, sample.first_y); }, "x, y"),
+    field("seed", &SampledPixels::seed, "by which the first was drawn"),
     field("fewer_because", &SampledPixels::fewer_because,
-          {.meaning = "why they are fewer than in other views; empty: they are not"}),
+          "why they are fewer than in other views; empty: they are not"),
 };
 
 inline constexpr auto was_compared = [](const OracleResult& oracle) { return oracle.absent.empty(); };
@@ -193,27 +186,25 @@ inline constexpr auto fields<OracleResult> = std::tuple{
         "oracle",
         "A renderer that was asked besides candidate and reference, and judged against the same reference."},
     field("name", &OracleResult::name),
-    field("absent", &OracleResult::absent,
-          {.meaning = "why it was not compared; where empty, the other keys are there"}),
-    field_where(was_compared, "defects",
-                [](const OracleResult& oracle) { return defect_count(oracle.counts); },
-                {.meaning = "its own; they do not fail the view"}),
+    field("absent", &OracleResult::absent, "why it was not compared; where empty, the other keys are there"),
+    field_where(
+        was_compared, "defects", [](const OracleResult& oracle) { return defect_count(oracle.counts); },
+        "its own; they do not fail the view"),
     field_where(was_compared, "counts", &OracleResult::counts),
     field_where(was_compared, "depth", &OracleResult::depth),
     field_where(was_compared, "edges", &OracleResult::edges),
-    field_where(was_compared, "worst", &OracleResult::worst, {.limits = R"({"maxItems": 20})"}),
-    field_where(
-        was_compared, "sample", &OracleResult::sample,
-        {.meaning = "the pixels that it was asked about, where these are not all: every stride-th of every "
-                    "stride-th row, from `first` on, which the seed drew; its findings are in the pixels "
-                    "of the view",
-         .presence = unless_empty}),
+    field_where(was_compared, "worst", &OracleResult::worst, "", {.limits = R"({"maxItems": 20})"}),
+    field_where(was_compared, "sample", &OracleResult::sample,
+                "the pixels that it was asked about, where these are not all: every stride-th of every "
+                "stride-th row, from `first` on, which the seed drew; its findings are in the pixels "
+                "of the view",
+                {.presence = unless_empty}),
     field_where(was_compared, "picture", &OracleResult::picture,
-                {.meaning = "how far its colours lie from the candidate's in linear light, by class; with "
-                            "--pictures",
-                 .presence = unless_empty}),
-    field_where(was_compared, "no_picture", &OracleResult::no_picture,
-                {.meaning = "why it could not paint", .presence = unless_empty}),
+                "how far its colours lie from the candidate's in linear light, by class; with "
+                "--pictures",
+                {.presence = unless_empty}),
+    field_where(was_compared, "no_picture", &OracleResult::no_picture, "why it could not paint",
+                {.presence = unless_empty}),
 };
 
 template <>
@@ -231,30 +222,30 @@ template <>
 inline constexpr auto fields<SceneSize> = std::tuple{
     ObjectFacts{"scene_size"},
     field("triangles", &SceneSize::triangles),
-    field("width", &SceneSize::width, {.unit = "px"}),
-    field("height", &SceneSize::height, {.unit = "px"}),
+    field("width", &SceneSize::width, "", {.unit = "px"}),
+    field("height", &SceneSize::height, "", {.unit = "px"}),
 };
 
 template <>
 inline constexpr auto fields<ShrunkView> = std::tuple{
     ObjectFacts{"shrunk"},
-    field("file", &ShrunkView::file, {.meaning = "its view file, relative to this file"}),
+    field("file", &ShrunkView::file, "its view file, relative to this file"),
     field("before", &ShrunkView::before),
     field("after", &ShrunkView::after),
-    field("tries", &ShrunkView::tries, {.meaning = "smaller scenes that were rendered"}),
-    field("command", &ShrunkView::command, {.meaning = "that shows the failure"}),
+    field("tries", &ShrunkView::tries, "smaller scenes that were rendered"),
+    field("command", &ShrunkView::command, "that shows the failure"),
 };
 
 template <>
 inline constexpr auto fields<StageTimes> = std::tuple{
-    ObjectFacts{"times", "Wall clock by stage."},
-    field("load", &StageTimes::load, {.unit = "s", .limits = from_0}),
-    field("render", &StageTimes::render, {.unit = "s", .limits = from_0}),
-    field("reference_build", &StageTimes::reference_build, {.unit = "s", .limits = from_0}),
-    field("reference", &StageTimes::reference, {.unit = "s", .limits = from_0}),
-    field("judge", &StageTimes::judge, {.unit = "s", .limits = from_0}),
-    field("oracles", &StageTimes::oracles, {.unit = "s", .limits = from_0}),
-    field("write", &StageTimes::write, {.unit = "s", .limits = from_0}),
+    ObjectFacts{"times", "Time of each stage, wall clock."},
+    field("load", &StageTimes::load, "", {.unit = "s", .limits = from_0}),
+    field("render", &StageTimes::render, "", {.unit = "s", .limits = from_0}),
+    field("reference_build", &StageTimes::reference_build, "", {.unit = "s", .limits = from_0}),
+    field("reference", &StageTimes::reference, "", {.unit = "s", .limits = from_0}),
+    field("judge", &StageTimes::judge, "", {.unit = "s", .limits = from_0}),
+    field("oracles", &StageTimes::oracles, "", {.unit = "s", .limits = from_0}),
+    field("write", &StageTimes::write, "", {.unit = "s", .limits = from_0}),
 };
 
 template <>
@@ -262,8 +253,8 @@ inline constexpr auto fields<WaiverUse> = std::tuple{
     ObjectFacts{"waiver_use", "What a waiver did about one view."},
     field("id", &WaiverUse::id),
     field("effect", &WaiverUse::effect),
-    field("matched", &WaiverUse::matched, {.meaning = "defects of its classes in its place"}),
-    field("waived", &WaiverUse::waived, {.meaning = "of those, let pass on its word"}),
+    field("matched", &WaiverUse::matched, "defects of its classes in its place"),
+    field("waived", &WaiverUse::waived, "of those, let pass on its word"),
 };
 
 /// The kinds of a waiver's place, in the order of its alternatives.
@@ -276,12 +267,12 @@ template <>
 inline constexpr auto fields<AtTriangles> =
     std::tuple{ObjectFacts{"at_triangles"}, field("triangles", &AtTriangles::triangles)};
 template <>
-inline constexpr auto fields<AtPairs> = std::tuple{
-    ObjectFacts{"at_pairs"}, field("pairs", &AtPairs::pairs, {.meaning = "candidate's and reference's"})};
+inline constexpr auto fields<AtPairs> =
+    std::tuple{ObjectFacts{"at_pairs"}, field("pairs", &AtPairs::pairs, "candidate's and reference's")};
 template <>
 inline constexpr auto fields<AtPixels> =
-    std::tuple{ObjectFacts{"at_pixels"}, field("size", &AtPixels::size, {.meaning = "width, height"}),
-               field("rectangles", &AtPixels::rectangles, {.meaning = "x, y, width, height"})};
+    std::tuple{ObjectFacts{"at_pixels"}, field("size", &AtPixels::size, "width, height"),
+               field("rectangles", &AtPixels::rectangles, "x, y, width, height")};
 
 template <>
 inline constexpr auto fields<Waiver> = std::tuple{
@@ -298,106 +289,96 @@ inline constexpr auto fields<Waiver> = std::tuple{
     field("link", &Waiver::link),
     field("created", &Waiver::created),
     field("expires", &Waiver::expires),
-    field("scene_sha256", &Waiver::scene_sha256, {.limits = sha256_or_empty}),
-    field("origin", &Waiver::origin, {.meaning = "file:line"}),
+    field("scene_sha256", &Waiver::scene_sha256, "", {.limits = sha256_or_empty}),
+    field("origin", &Waiver::origin, "file:line"),
 };
 
 template <>
 inline constexpr auto fields<ViewResult> = std::tuple{
     ObjectFacts{"view"},
     field("scene", &ViewResult::scene),
-    field("source", &ViewResult::source, {.meaning = "file, or \"suite\""}),
+    field("source", &ViewResult::source, "file, or \"suite\""),
     field("view", &ViewResult::view),
-    field("reason", &ViewResult::reason, {.meaning = "why the suite has this view"}),
+    field("reason", &ViewResult::reason, "why the suite has this view"),
     field("outcome", &ViewResult::outcome),
     field("message", &ViewResult::message),
-    field("width", &ViewResult::width, {.unit = "px"}),
-    field("height", &ViewResult::height, {.unit = "px"}),
+    field("width", &ViewResult::width, "", {.unit = "px"}),
+    field("height", &ViewResult::height, "", {.unit = "px"}),
     field("triangles", &ViewResult::triangles),
-    field("candidate", &ViewResult::candidate, {.meaning = "renderer under test"}),
-    field("reference", &ViewResult::reference, {.meaning = "renderer that it was held against"}),
-    field("defects", [](const ViewResult& view) { return defect_count(view); },
-          {.meaning = "pixels whose class fails the gate, waived or not"}),
-    field("counts", &ViewResult::counts, {.meaning = "pixels by class"}),
-    field("waived", as<Sparse>(&ViewResult::waived),
-          {.meaning = "of those, pixels that a waiver lets pass, by class"}),
-    field("waivers", &ViewResult::waivers, {.meaning = "those that name this view"}),
+    field("candidate", &ViewResult::candidate, "renderer under test"),
+    field("reference", &ViewResult::reference, "renderer that it was held against"),
+    field(
+        "defects", [](const ViewResult& view) { return defect_count(view); },
+        "pixels whose class fails the gate, waived or not"),
+    field("counts", &ViewResult::counts, "pixels by class"),
+    field("waived", as<Sparse>(&ViewResult::waived), "of those, pixels that a waiver lets pass, by class"),
+    field("waivers", &ViewResult::waivers, "those that name this view"),
     field("candidate_depth", &ViewResult::candidate_depth,
-          {.meaning = "over the pixels at which both name the same triangle"}),
+          "over the pixels at which both name the same triangle"),
     field("reference_depth", &ViewResult::reference_depth),
     field("candidate_edges", &ViewResult::candidate_edges,
-          {.meaning =
-               "displacement / eps: where the renderers differ and this one's answer is admissible by its "
-               "place but not right at the centre"}),
+          "displacement / eps: where the renderers differ and this one's answer is admissible by its "
+          "place but not right at the centre"),
     field("reference_edges", &ViewResult::reference_edges),
     field("reference_defects", &ViewResult::reference_defects,
-          {.meaning = "pixels at which the reference's own answer is inadmissible"}),
-    field("adjudicated", &ViewResult::adjudicated, {.meaning = "pixels that needed the admissible set"}),
-    field("exact", &ViewResult::exact, {.meaning = "of those, pixels that needed exact rationals"}),
+          "pixels at which the reference's own answer is inadmissible"),
+    field("adjudicated", &ViewResult::adjudicated, "pixels that needed the admissible set"),
+    field("exact", &ViewResult::exact, "of those, pixels that needed exact rationals"),
     field("diagnosis", &ViewResult::diagnosis),
     field("oracles", &ViewResult::oracles),
     field("id_agreement", &ViewResult::id_agreement),
-    field("worst", &ViewResult::worst,
-          {.meaning = "defects first, then by error/bound", .limits = R"({"maxItems": 200})"}),
-    field("notes", &ViewResult::notes, {.meaning = "of the scene"}),
-    field("folder", &ViewResult::folder,
-          {.meaning = "the view's evidence, relative to this file; empty for none"}),
-    field("place", &ViewResult::place, {.meaning = "of its scene in the selection"}),
-    field("view_place", &ViewResult::view_place, {.meaning = "among its scene's views", .since = "0.3"}),
+    field("worst", &ViewResult::worst, "defects first, then by error/bound",
+          {.limits = R"({"maxItems": 200})"}),
+    field("notes", &ViewResult::notes, "of the scene"),
+    field("folder", &ViewResult::folder, "the view's evidence, relative to this file; empty for none"),
+    field("place", &ViewResult::place, "of its scene in the selection"),
+    field("view_place", &ViewResult::view_place, "among its scene's views", {.since = "0.3"}),
     field("scene_views", &ViewResult::scene_views,
-          {.meaning = "how many views its scene has; 0 of what stands for a whole scene", .since = "0.3"}),
+          "how many views its scene has; 0 of what stands for a whole scene", {.since = "0.3"}),
     field("scene_sha256", &ViewResult::scene_sha256,
-          {.meaning = "of the baked scene (scenes/scene_hash.h); empty where it was not read",
-           .limits = sha256_or_empty}),
+          "of the baked scene (scenes/scene_hash.h); empty where it was not read",
+          {.limits = sha256_or_empty}),
     field("times", &ViewResult::times),
     field("expects", &ViewResult::expects,
-          {.meaning =
-               "classes of which its scene's views must have a pixel; absent where the suite expects none",
-           .presence = unless_empty}),
+          "classes of which its scene's views must have a pixel; absent where the suite expects none",
+          {.presence = unless_empty}),
     field("shrunk", &ViewResult::shrunk,
-          {.meaning =
-               "a smaller scene that fails as this view does (docs/random.md); of the first random scene of "
-               "each kind of failure",
-           .presence = unless_empty}),
+          "a smaller scene that fails as this view does (docs/random.md); of the first random scene of "
+          "each kind of failure",
+          {.presence = unless_empty}),
 };
 
 template <>
 inline constexpr auto fields<RendererFacts> = std::tuple{
     ObjectFacts{"renderer"},
     field("name", &RendererFacts::name),
-    field("version", &RendererFacts::version, {.meaning = "in its own words; may be empty"}),
+    field("version", &RendererFacts::version, "in its own words; may be empty"),
     field("precision", as<JsonText>(&RendererFacts::precision),
-          {.meaning = "what it declares (docs/renderer-contract.md)"}),
-    field(
-        "ids", &RendererFacts::ids,
-        {.meaning =
-             "what its ids stand for (docs/labels.md): triangle, material ...; none: depth alone was judged",
-         .since = "0.3"}),
+          "what it declares (docs/renderer-contract.md)"),
+    field("ids", &RendererFacts::ids,
+          "what its ids stand for (docs/labels.md): triangle, material ...; none: depth alone was judged",
+          {.since = "0.3"}),
 };
 
 template <>
 inline constexpr auto fields<Shard> = std::tuple{
     ObjectFacts{"shard", "Which share of the selected scenes was judged; the whole is 1 of 1."},
-    field("number", &Shard::number, {.limits = from_1}),
-    field("count", &Shard::count, {.limits = from_1}),
-    field(
-        "plan", &Shard::plan,
-        {.meaning = "SHA-256 of the plan that says which views; absent: by hash", .presence = unless_empty}),
+    field("number", &Shard::number, "", {.limits = from_1}),
+    field("count", &Shard::count, "", {.limits = from_1}),
+    field("plan", &Shard::plan, "SHA-256 of the plan that says which views; absent: by hash",
+          {.presence = unless_empty}),
     field("taken_from", &Shard::taken_from,
-          {.meaning = "the environment variable that told the number; absent: it was typed",
-           .presence = unless_empty}),
+          "the environment variable that told the number; absent: it was typed", {.presence = unless_empty}),
 };
 
 template <>
 inline constexpr auto fields<Selection> = std::tuple{
     ObjectFacts{"selection", "The scenes that the command line selected, all shards together."},
     field("scenes", &Selection::scenes),
-    field("sha256", &Selection::sha256,
-          {.meaning = "of their words, a line each; empty where nothing was selected",
-           .limits = sha256_or_empty}),
+    field("sha256", &Selection::sha256, "of their words, a line each; empty where nothing was selected",
+          {.limits = sha256_or_empty}),
     field("passed_over", &Selection::passed_over,
-          {.meaning = "number of files in the folders that are no scenes, by ending in lower case",
-           .since = "0.3"}),
+          "number of files in the folders that are no scenes, by ending in lower case", {.since = "0.3"}),
 };
 
 template <Outcome outcome>
@@ -411,28 +392,25 @@ inline constexpr auto fields<Results> = std::tuple{
                 "Everything that one zproof run found out. New keys may appear within 2.x; readers pass over "
                 "what they do not know. Two runs of the same input differ in `run` and in each view's "
                 "`times` only; those that are put together from shards likewise."},
-    field("schema_version", [](const Results&) { return Results::schema_version; },
+    field("schema_version", [](const Results&) { return Results::schema_version; }, "",
           {.limits = R"({"pattern": "^2\\.[0-9]+$"})"}),
     ObjectFacts{"run", "How, where and by what the run was made."},
-    field("run/version", &Results::version, {.meaning = "zproof's version"}),
+    field("run/version", &Results::version, "zproof's version"),
     field("run/commit", &Results::commit,
-          {.meaning =
-               "the commit that this zproof was built from, 12 digits, with ', changed' where tracked files "
-               "differed from it; 'unknown' where there was no git",
-           .since = "0.3"}),
-    field("run/command", &Results::command, {.meaning = "as typed"}),
-    field("run/argv", &Results::argv, {.meaning = "the same, word by word, without zproof"}),
+          "the commit that this zproof was built from, 12 digits, with ', changed' where tracked files "
+          "differed from it; 'unknown' where there was no git",
+          {.since = "0.3"}),
+    field("run/command", &Results::command, "as typed"),
+    field("run/argv", &Results::argv, "the same, word by word, without zproof"),
     field("run/compiler", &Results::compiler),
     field("run/embree", &Results::embree),
     field("run/threads", &Results::threads),
-    field("run/isa", &Results::isa,
-          {.meaning = "the widest instruction set that was used: scalar, avx2 or avx512", .since = "0.3"}),
+    field("run/isa", &Results::isa, "the widest instruction set that was used: scalar, avx2 or avx512",
+          {.since = "0.3"}),
     field("run/shard", &Results::shard),
     field("run/ending", &Results::ending),
-    field("run/today", &Results::today,
-          {.meaning = "the day that waivers were held against; empty where there are none"}),
-    field("run/renderers", &Results::renderers,
-          {.meaning = "candidate, reference and the oracles that could be asked"}),
+    field("run/today", &Results::today, "the day that waivers were held against; empty where there are none"),
+    field("run/renderers", &Results::renderers, "candidate, reference and the oracles that could be asked"),
     field("selection", &Results::selection),
     ObjectFacts{"summary", "Number of views, in all and by outcome."},
     field("summary/views", [](const Results& results) { return std::uint64_t(results.views.size()); }),
@@ -443,7 +421,7 @@ inline constexpr auto fields<Results> = std::tuple{
     field("summary/not_judged", views_of<Outcome::not_judged>),
     field("summary/internal_error", views_of<Outcome::internal_error>),
     field("waivers/strict", as<Flag>(&Results::strictness),
-          {.meaning = "do unused and too generous waivers fail the gate?"}),
+          "do unused and too generous waivers fail the gate?"),
     field("waivers/list", &Results::waivers),
 };
 

@@ -60,34 +60,34 @@ double error_of(const zproof::Finding& f) {
     return std::isnan(error) ? -1 : error;
 }
 
-constexpr std::size_t not_judged = std::tuple_size_v<decltype(table_columns<zproof::Finding>)>;
+constexpr auto& judged_columns = table_columns<zproof::Finding>;
 
-/// The place of that name among the judge's columns.
+/// The place of that name among the judge's columns; where it has none, their number.
 constexpr std::size_t judged_column(std::string_view name) {
-    return std::apply(
-        [&](const auto&... column) {
-            std::size_t place = 0;
-            (void)((column.record() == name || (++place, false)) || ...);
-            return place;
-        },
-        table_columns<zproof::Finding>);
+    const auto place = [&](const auto&... column) {
+        std::size_t before = 0;
+        (void)((column.record() == name || (++before, false)) || ...);
+        return before;
+    };
+    return std::apply(place, judged_columns);
+}
+
+template <std::size_t i>
+void tell(Finding& told, const zproof::Finding& f) {
+    constexpr auto field = std::get<i>(finding_fields);
+    constexpr std::size_t column = judged_column(field.first);
+    auto& number = told.*field.second;
+    if constexpr (std::string_view(field.first) == "is_defect")
+        number = zproof::is_defect(f.verdict);
+    else
+        number =
+            std::remove_reference_t<decltype(number)>(std::invoke(std::get<column>(judged_columns).get, f));
 }
 
 template <std::size_t... i>
 Finding plain(const zproof::Finding& f, std::index_sequence<i...>) {
     Finding told{};
-    const auto tell = [&]<std::size_t k>(std::integral_constant<std::size_t, k>) {
-        constexpr auto field = std::get<k>(finding_fields);
-        constexpr std::size_t column = judged_column(field.first);
-        auto& number = told.*field.second;
-        using Number = std::remove_reference_t<decltype(number)>;
-        if constexpr (column != not_judged)
-            number = Number(std::invoke(std::get<column>(table_columns<zproof::Finding>).get, f));
-        else
-            static_assert(std::string_view(field.first) == "is_defect");
-    };
-    (tell(std::integral_constant<std::size_t, i>{}), ...);
-    told.is_defect = zproof::is_defect(f.verdict);
+    (tell<i>(told, f), ...);
     return told;
 }
 

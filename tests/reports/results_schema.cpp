@@ -58,8 +58,8 @@ Json& holder_of(Json& object, std::string_view path) {
     return holder_of(next, path.substr(slash + 1));
 }
 
-std::string description_of(const FieldFacts& facts) {
-    std::string text(facts.meaning);
+std::string description_of(std::string_view meaning, const FieldFacts& facts) {
+    std::string text(meaning);
     const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
     if (!facts.unit.empty()) add("in " + std::string(facts.unit));
     if (!facts.since.empty()) add("since " + std::string(facts.since));
@@ -67,8 +67,7 @@ std::string description_of(const FieldFacts& facts) {
 }
 
 /// Beside a $ref draft 7 reads nothing else.
-Json with_facts(Json schema, const FieldFacts& facts) {
-    const std::string description = description_of(facts);
+Json with_facts(Json schema, const std::string& description, const FieldFacts& facts) {
     if (description.empty() && facts.limits.empty()) return schema;
     const Json limits = facts.limits.empty() ? Json::object() : Json::parse(facts.limits);
     Json whole = Json::object();
@@ -107,7 +106,8 @@ void Definitions::add_fields(Json& object) {
             Json schema = of<Value>();
             if constexpr (requires(Value value) { value.has_value(); })
                 if (row.facts.presence != unless_empty) schema = or_null(schema);
-            holder["properties"][key] = with_facts(std::move(schema), row.facts);
+            holder["properties"][key] =
+                with_facts(std::move(schema), description_of(row.meaning, row.facts), row.facts);
             if (std::is_same_v<decltype(row.where), Always> && row.facts.since.empty() &&
                 row.facts.presence != unless_empty)
                 holder["required"].push_back(key);
@@ -266,7 +266,7 @@ std::string results_schema() {
     definitions.add_fields<Results>(schema);
     add_the_rest(schema, definitions);
     schema["definitions"] = std::move(definitions.all);
-    constexpr std::size_t columns = 140;
+    constexpr std::size_t columns = 160;
     return text_of(schema, 0, columns) + "\n";
 }
 
