@@ -6,29 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "compare/attributes/wrong_attribute.h"
-#include "compare/bounds/depth_bound.h"
-#include "compare/pixel_class.h"
+#include "compare/finding.h"
 #include "frame/frame.h"
 
 namespace zproof {
-
-/// One renderer's answer at one pixel.
-struct Answer {
-    PrimitiveId primitive = PrimitiveId::none;
-    float camera_depth = background_depth;
-};
-
-/// A pixel at which the two frames do not simply agree, with the evidence.
-struct Finding {
-    int x = 0, y = 0;
-    PixelClass verdict = PixelClass::agree;
-    Answer candidate, reference;
-    double eps_px = 0;            ///< half-side of the square that the candidate's answer was judged in
-    DepthBound candidate_depth;   ///< bound for the candidate's own id
-    double error_over_bound = 0;  ///< of the candidate's depth; NaN for background
-    std::optional<WrongAttribute> wrong_attribute{};  ///< of the candidate; where the verdict says so
-};
 
 /// Distribution of error / bound: bin k counts [k/20, (k+1)/20), the last bin counts everything from 1 up.
 using BoundHistogram = std::array<std::uint64_t, 21>;

@@ -58,9 +58,25 @@ py::array plane_of(const py::object& self, std::span<const T> (api::Verdict::*va
     return array_of((verdict.*values)(), shape_of(verdict.view()), self);
 }
 
+/// A finding's numbers as numpy has them.
+py::dtype finding_dtype() {
+    py::list names, formats, offsets;
+    constexpr Finding zero{};
+    const auto add = [&](const auto& field) {
+        const auto& number = zero.*field.second;
+        names.append(field.first);
+        formats.append(py::dtype::of<std::remove_cvref_t<decltype(number)>>());
+        offsets.append(reinterpret_cast<const char*>(&number) - reinterpret_cast<const char*>(&zero));
+    };
+    std::apply([&](const auto&... field) { (add(field), ...); }, api::finding_fields);
+    return {names, formats, offsets, sizeof(Finding)};
+}
+
 py::array findings_of(const py::object& self) {
     const std::span<const Finding> findings = self.cast<const JudgedArrays&>().verdict.findings();
-    return array_of(findings, {py::ssize_t(findings.size())}, self);
+    py::array array(finding_dtype(), py::ssize_t(findings.size()), findings.data(), self);
+    array.attr("setflags")(py::arg("write") = false);
+    return array;
 }
 
 py::object worst_of(const JudgedArrays& self) {
@@ -91,11 +107,6 @@ py::list colours_of_classes() {
 std::string_view class_name(std::uint32_t pixel_class) { return api::class_names()[pixel_class]; }
 
 void bind_finding(py::module_& module) {
-    PYBIND11_NUMPY_DTYPE_EX(Finding, x, "x", y, "y", pixel_class, "class", is_defect, "is_defect",
-                            candidate_id, "id", reference_id, "reference_id", candidate_depth, "depth",
-                            reference_depth, "reference_depth", depth_low, "depth_low", depth_truth,
-                            "depth_truth", depth_high, "depth_high", eps_px, "eps_px", error_over_bound,
-                            "error_over_bound");
     py::class_<Finding>(module, "Finding", "A pixel that does not simply agree; a row of Verdict.findings.")
         .def_readonly("x", &Finding::x)
         .def_readonly("y", &Finding::y)
@@ -181,12 +192,7 @@ void bind_verdict(py::module_& module) {
         .def_property_readonly(
             "classes", [](const py::object& self) { return plane_of(self, &api::Verdict::classes); },
             "uint8 (height, width), read-only: an index of CLASS_NAMES for every pixel")
-        .def_property_readonly(
-            "findings", &findings_of,
-            "A structured array, read-only: every pixel that is not `agree`, in raster order, with "
-            "x, y, class (an index of CLASS_NAMES), is_defect (0 or 1), id, reference_id, depth, "
-            "reference_depth, "
-            "depth_low, depth_truth, depth_high, eps_px, error_over_bound.")
+        .def_property_readonly("findings", &findings_of, findings_words().c_str())
         .def_property_readonly(
             "worst", &worst_of,
             "The defect with the largest error over its bound, as the report ranks them, or None.")

@@ -4,12 +4,16 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <concepts>
 #include <cstring>
+#include <functional>
 #include <iterator>
 #include <ostream>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "reports/evidence.h"
 
@@ -17,12 +21,36 @@ namespace zproof {
 
 namespace {
 
-constexpr std::size_t most_digits = 32, cells_in_row = 12;
-constexpr std::size_t most_row_bytes = cells_in_row * (most_digits + 1);
+constexpr auto& finding_columns = table_columns<Finding>;
+constexpr std::size_t most_digits = 32;
+constexpr std::size_t most_row_bytes =
+    std::tuple_size_v<decltype(table_columns<Finding>)> * (most_digits + 1);
+
+char* write_cell(char* to, std::integral auto value) {
+    to = std::to_chars(to, to + most_digits, value).ptr;
+    *to = ',';
+    return to + 1;
+}
+
+char* write_cell(char* to, PrimitiveId id) {
+    if (id != PrimitiveId::none) return write_cell(to, static_cast<std::uint32_t>(id));
+    return std::ranges::copy(std::string_view("none,"), to).out;
+}
+
+char* write_cell(char* to, PixelClass c) {
+    to = std::ranges::copy(name_of(c), to).out;
+    *to = ',';
+    return to + 1;
+}
+
+template <class Value>
+struct Column {
+    char* write(char* to, Value value) { return write_cell(to, value); }
+};
 
 /// The last real number of a column and how it is written: what stands above is often the same.
-template <class Real>
-class RealCell {
+template <std::floating_point Real>
+class Column<Real> {
   public:
     /// Writes the number and a comma; returns what follows. The shortest digits that read back to the same
     /// bits; to_chars would tell -nan apart.
@@ -44,41 +72,34 @@ class RealCell {
     char digits_[most_digits + 1] = {};
 };
 
-char* write_whole(char* to, std::int64_t value) {
-    to = std::to_chars(to, to + most_digits, value).ptr;
-    *to = ',';
-    return to + 1;
-}
-
-char* write_id(char* to, PrimitiveId id) {
-    if (id != PrimitiveId::none) return write_whole(to, static_cast<std::uint32_t>(id));
-    return std::ranges::copy(std::string_view("none,"), to).out;
-}
-
 /// Writes rows, one after another.
 class RowWriter {
   public:
     /// Writes at most most_row_bytes, of which the last may be written beyond; returns what follows.
-    char* write(char* to, const Finding& f) {
-        to = write_whole(to, f.x);
-        to = write_whole(to, f.y);
-        to = std::ranges::copy(name_of(f.verdict), to).out;
-        *to++ = ',';
-        to = write_id(to, f.candidate.primitive);
-        to = write_id(to, f.reference.primitive);
-        to = candidate_.write(to, f.candidate.camera_depth);
-        to = reference_.write(to, f.reference.camera_depth);
-        const DepthBound& depth = f.candidate_depth;
-        const double values[] = {f.eps_px, depth.low, depth.truth, depth.high, f.error_over_bound};
-        for (std::size_t i = 0; i < std::size(values); ++i) to = doubles_[i].write(to, values[i]);
+    char* write(char* to, const Finding& finding) {
+        write_cells(to, finding, std::make_index_sequence<std::tuple_size_v<decltype(columns_)>>{});
         to[-1] = '\n';
         return to;
     }
 
   private:
-    RealCell<float> candidate_, reference_;
-    std::array<RealCell<double>, 5> doubles_;
+    template <std::size_t... i>
+    void write_cells(char*& to, const Finding& finding, std::index_sequence<i...>) {
+        ((to = std::get<i>(columns_).write(to, std::invoke(std::get<i>(finding_columns).get, finding))), ...);
+    }
+
+    template <class... Rows>
+    static std::tuple<Column<ValueOf<const Finding, Rows>>...> columns_for(const std::tuple<Rows...>&);
+    decltype(columns_for(finding_columns)) columns_;
 };
+
+std::string heading() {
+    std::string names;
+    std::apply([&](const auto&... column) { ((names += std::string(column.column()) + ","), ...); },
+               finding_columns);
+    names.back() = '\n';
+    return names;
+}
 
 /// A piece of the file, made by one thread; a wave of them is in memory at a time.
 constexpr std::size_t rows_in_piece = 1024, pieces_in_wave = 64, rows_at_once = 16;
@@ -109,8 +130,7 @@ void write_wave(std::ostream& out, std::span<const Finding> findings) {
 }  // namespace
 
 void write_findings(std::ostream& out, const Verdict& verdict) {
-    out << "x,y,class,candidate_id,reference_id,candidate_depth,reference_depth,eps_px,depth_low,depth_truth,"
-           "depth_high,error_over_bound\n";
+    out << heading();
     constexpr std::size_t wave = rows_in_piece * pieces_in_wave;
     for (std::span<const Finding> rest = verdict.findings; !rest.empty();
          rest = rest.subspan(std::min(rest.size(), wave)))

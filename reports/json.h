@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "reports/report_error.h"
 #include "reports/results.h"
@@ -15,6 +16,7 @@ namespace zproof {
 /// view's `times`, nowhere else.
 void write_json(const TextSink& out, const Results& results);
 std::string to_json(const Results& results);  ///< the same, in memory
+std::string waivers_as_json(const std::vector<Waiver>& waivers);
 
 /// Inverse of to_json(). Keys that it does not know are passed over. Throws ReportError naming the place
 /// where a key is missing or of another type, and where the schema's major version is not ours.

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "reports/json.h"
+#include "reports/result_fields.h"
 #include "reports/result_file.h"
-#include "reports/waiver_json.h"
 #include "reports/whole_number.h"
 
 namespace zproof {
@@ -28,8 +28,6 @@ double number(const Json& json) {
     refuse("expected a number, \"nan\", \"inf\" or \"-inf\", found \"" + text + "\"");
 }
 
-std::uint64_t count(const Json& json) { return whole_number<std::uint64_t>(json); }
-
 float float_from_bits(const std::string& text) {
     std::uint32_t bits = 0;
     const char* const end = text.data() + text.size();
@@ -39,157 +37,116 @@ float float_from_bits(const std::string& text) {
     return std::bit_cast<float>(bits);
 }
 
-PixelClass class_named(const std::string& name) {
-    for (int i = 0; i < pixel_class_count; ++i)
-        if (name_of(PixelClass(i)) == name) return PixelClass(i);
-    refuse("no pixel class is named \"" + name + "\"");
+/// Any value of a row, from what its type or its form has in JSON.
+template <class Value>
+void read(const Json& json, Value& value);
+
+template <class Value>
+Value read_as(const Json& json) {
+    Value value{};
+    read(json, value);
+    return value;
 }
 
-Outcome outcome_named(const std::string& name) {
-    for (const Outcome outcome : all_outcomes)
-        if (name_of(outcome) == name) return outcome;
-    refuse("no outcome is named \"" + name + "\"");
+template <class Enum>
+Enum named(const std::string& name) {
+    for (const Enum value : Words<Enum>::values)
+        if (name_of(value) == name) return value;
+    refuse("no " + std::string(Words<Enum>::noun) + " is named \"" + name + "\"");
 }
 
-Ending ending_named(const std::string& name) {
-    for (const Ending ending : all_endings)
-        if (name_of(ending) == name) return ending;
-    refuse("no ending is named \"" + name + "\"");
+/// What stands under the key, or under the key of a key; nullptr where nothing does.
+const Json* found(const Json& object, std::string_view path) {
+    const std::size_t slash = path.find('/');
+    const auto next = object.find(path.substr(0, slash));
+    if (next == object.end()) return nullptr;
+    return slash == path.npos ? &*next : found(*next, path.substr(slash + 1));
 }
 
-PrimitiveId id(const Json& json) {
-    return json.is_null() ? PrimitiveId::none : PrimitiveId(whole_number<std::uint32_t>(json));
+/// Throws nlohmann's exception where nothing stands there.
+const Json& at_path(const Json& object, std::string_view path) {
+    const std::size_t slash = path.find('/');
+    const Json& next = object.at(std::string(path.substr(0, slash)));
+    return slash == path.npos ? next : at_path(next, path.substr(slash + 1));
 }
 
-Answer answer(const Json& json) {
-    return {id(json.at("primitive")), float_from_bits(json.at("camera_depth_bits"))};
+/// Fields that others tell are passed over. What an older version, or an empty value, leaves out stays as it
+/// is.
+template <class Record>
+void read_fields(const Json& json, Record& record) {
+    visit_fields<Record>([&](const auto& field) {
+        using Value = decltype(std::invoke(field.get, record));
+        if constexpr (is_read<Value>) {
+            if (!field.where(record)) return;
+            auto&& value = std::invoke(field.get, record);
+            if (field.facts.since.empty() && field.facts.presence != unless_empty)
+                read(at_path(json, field.name), value);
+            else if (const Json* const there = found(json, field.name))
+                read(*there, value);
+        }
+    });
 }
 
-DepthBound bound(const Json& json) {
-    return {number(json.at("low")), number(json.at("truth")), number(json.at("high"))};
+void special(const Json& json, PrimitiveId& id) {
+    id = json.is_null() ? PrimitiveId::none : PrimitiveId(whole_number<std::uint32_t>(json));
 }
 
-std::optional<WrongAttribute> wrong_attribute(const Json& json) {
-    if (!json.contains("wrong_attribute")) return std::nullopt;
-    const Json& wrong = json.at("wrong_attribute");
-    const std::string name = wrong.at("channel");
+void special(const Json& json, Day& day) {
+    const std::string text = json;
+    const auto found = day_from(text);
+    if (!found) refuse("expected a day such as 2026-04-10, found \"" + text + "\"");
+    day = *found;
+}
+
+void special(const Json& json, As<Bits, float>& as) { as.value = float_from_bits(json); }
+
+void special(const Json& json, As<Channel, std::size_t>& as) {
+    const std::string name = json;
     const auto channel = std::ranges::find(attribute_channels, name, &AttributeChannel::name);
     if (channel == attribute_channels.end()) refuse("no channel is named \"" + name + "\"");
-    return WrongAttribute{.channel = std::size_t(channel - attribute_channels.begin()),
-                          .value = float(number(wrong.at("value"))),
-                          .low = number(wrong.at("low")),
-                          .truth = number(wrong.at("truth")),
-                          .high = number(wrong.at("high")),
-                          .error_over_bound = number(wrong.at("error_over_bound"))};
+    as.value = std::size_t(channel - attribute_channels.begin());
 }
 
-ReportedFinding reported(const Json& json) {
-    return {.finding = {.x = whole_number<int>(json.at("x")),
-                        .y = whole_number<int>(json.at("y")),
-                        .verdict = class_named(json.at("class")),
-                        .candidate = answer(json.at("candidate")),
-                        .reference = answer(json.at("reference")),
-                        .eps_px = number(json.at("eps_px")),
-                        .candidate_depth = bound(json.at("candidate_depth_bound")),
-                        .error_over_bound = number(json.at("error_over_bound")),
-                        .wrong_attribute = wrong_attribute(json)},
-            .explanation = json.at("explanation"),
-            .command = json.at("command"),
-            .waiver = json.value("waiver", "")};
+void special(const Json& json, As<JsonText, std::string>& as) { as.value = json.dump(); }
+
+void special(const Json& json, As<Flag, Strictness>& as) {
+    as.value = json ? Strictness::strict : Strictness::lenient;
 }
 
-ClassCounts counts_by_name(const Json& json) {
-    ClassCounts counts{};
+void special(const Json& json, ClassCounts& counts) {
     for (std::size_t i = 0; i < counts.size(); ++i)
-        counts[i] = count(json.at(std::string(name_of(PixelClass(i)))));
-    return counts;
+        read(json.at(std::string(name_of(PixelClass(i)))), counts[i]);
 }
 
-BoundRecord bound_record(const Json& json) {
-    BoundRecord record{.max_error_over_bound = number(json.at("max_error_over_bound"))};
-    if (!json.contains("histogram")) return record;
-    const Json& bins = json.at("histogram");
-    if (bins.size() != record.histogram.size())
-        refuse("expected a histogram of " + std::to_string(record.histogram.size()) + " bins");
-    for (std::size_t i = 0; i < record.histogram.size(); ++i) record.histogram[i] = count(bins.at(i));
-    return record;
+void special(const Json& json, As<Sparse, ClassCounts>& as) {
+    for (const auto& [name, pixels] : json.items())
+        read(pixels, as.value[std::size_t(named<PixelClass>(name))]);
 }
 
-StageTimes stage_times(const Json& json) {
-    return {.load = number(json.at("load")),
-            .render = number(json.at("render")),
-            .reference_build = number(json.at("reference_build")),
-            .reference = number(json.at("reference")),
-            .judge = number(json.at("judge")),
-            .oracles = number(json.at("oracles")),
-            .write = number(json.at("write"))};
+void special(const Json& json, PictureDifferences& differences) {
+    for (const auto& [name, one] : json.items()) read(one, differences[std::size_t(named<PixelClass>(name))]);
 }
 
-Explanation explanation(const Json& json) {
-    return {.name = json.at("name"),
-            .description = json.at("description"),
-            .explained = count(json.at("explained")),
-            .asked = count(json.at("asked")),
-            .contradicted = count(json.at("contradicted")),
-            .checked = count(json.at("checked")),
-            .look_at = json.value("look_at", ""),
-            .saved_share = json.contains("spared") ? number(json.at("spared")) : 0};
+void special(const Json& json, BoundHistogram& bins) {
+    if (json.size() != bins.size())
+        refuse("expected a histogram of " + std::to_string(bins.size()) + " bins");
+    for (std::size_t i = 0; i < bins.size(); ++i) read(json.at(i), bins[i]);
 }
 
-/// null: none was made.
-std::optional<Diagnosis> diagnosis(const Json& json) {
-    if (json.is_null()) return std::nullopt;
-    Diagnosis d{.defects = count(json.at("defects")), .cause = {}, .further = {}, .runners_up = {}};
-    if (const Json& cause = json.at("cause"); !cause.is_null()) d.cause = explanation(cause);
-    if (json.contains("further"))
-        for (const Json& one : json.at("further")) d.further.push_back(explanation(one));
-    for (const Json& one : json.at("runners_up")) d.runners_up.push_back(explanation(one));
-    return d;
+void special(const Json& json, std::map<std::string, std::uint64_t>& counts) {
+    for (const auto& [name, count] : json.items()) read(count, counts[name]);
 }
 
-PictureDifferences picture(const Json& json) {
-    PictureDifferences differences{};
-    for (const auto& [name, d] : json.items())
-        differences[std::size_t(class_named(name))] = {.pixels = count(d.at("pixels")),
-                                                       .rms = number(d.at("rms")),
-                                                       .mean = number(d.at("mean")),
-                                                       .largest = number(d.at("largest"))};
-    return differences;
+/// The alternative of that number; a kind that nobody knows is the first.
+template <std::size_t kind = 0>
+void read_place(const Json& json, const std::string& name, decltype(Waiver::where)& where) {
+    if constexpr (kind < waived_places.size()) {
+        if (name != waived_places[kind]) return read_place<kind + 1>(json, name, where);
+        read_fields(json, where.emplace<kind>());
+    }
 }
 
-SampledPixels sampled_pixels(const Json& json) {
-    return {.stride = whole_number<int>(json.at("stride")),
-            .first_x = whole_number<int>(json.at("first").at(0)),
-            .first_y = whole_number<int>(json.at("first").at(1)),
-            .pixels = count(json.at("pixels")),
-            .seed = count(json.at("seed")),
-            .fewer_because = json.at("fewer_because")};
-}
-
-OracleResult oracle_result(const Json& json) {
-    OracleResult w{.name = json.at("name"), .absent = json.at("absent"), .worst = {}};
-    if (!w.absent.empty()) return w;
-    w.counts = counts_by_name(json.at("counts"));
-    w.depth = bound_record(json.at("depth"));
-    w.edges = bound_record(json.at("edges"));
-    for (const Json& finding : json.at("worst")) w.worst.push_back(reported(finding));
-    if (json.contains("sample")) w.sample = sampled_pixels(json.at("sample"));
-    if (json.contains("picture")) w.picture = picture(json.at("picture"));
-    if (json.contains("no_picture")) w.no_picture = json.at("no_picture");
-    return w;
-}
-
-/// What waivers did, and what shards are put together by.
-void read_gate(const Json& json, ViewResult& v) {
-    for (const auto& [name, pixels] : json.at("waived").items())
-        v.waived[std::size_t(class_named(name))] = count(pixels);
-    for (const Json& one : json.at("waivers")) v.waivers.push_back(waiver_use_from(one));
-    v.place = count(json.at("place"));
-    if (json.contains("view_place")) v.view_place = count(json.at("view_place"));
-    if (json.contains("scene_views")) v.scene_views = count(json.at("scene_views"));
-    v.expects = json.value("expects", v.expects);
-    v.scene_sha256 = json.at("scene_sha256");
-}
+void special(const Json& json, decltype(Waiver::where)& where) { read_place(json, json.at("kind"), where); }
 
 /// Candidate, reference and the oracles that were compared have a row and a column each; none has where
 /// nothing was judged.
@@ -201,82 +158,34 @@ void require_all_compared(const ViewResult& v) {
         refuse("expected an id_agreement of " + std::to_string(frames) + " rows and columns");
 }
 
-void read_oracles(const Json& json, ViewResult& v) {
-    for (const Json& one : json.at("oracles")) v.oracles.push_back(oracle_result(one));
-    const Json& agreement = json.at("id_agreement");
-    v.id_agreement.unanimous = count(agreement.at("unanimous"));
-    for (const Json& row : agreement.at("same")) {
-        v.id_agreement.same.emplace_back();
-        for (const Json& pixels : row) v.id_agreement.same.back().push_back(count(pixels));
+template <class Value>
+void read(const Json& json, Value& value) {
+    if constexpr (requires { special(json, value); }) {
+        special(json, value);
+    } else if constexpr (std::is_floating_point_v<Value>) {
+        value = Value(number(json));
+    } else if constexpr (std::is_integral_v<Value>) {
+        value = whole_number<Value>(json);
+    } else if constexpr (std::is_enum_v<Value>) {
+        value = named<Value>(json);
+    } else if constexpr (is_record<Value>) {
+        read_fields(json, value);
+    } else if constexpr (is_list<Value>) {
+        std::size_t i = 0;
+        std::apply([&](auto&... element) { (read(json.at(i++), element), ...); }, elements_of<Value>(value));
+    } else if constexpr (is_vector<Value>) {
+        for (const Json& element : json) value.push_back(read_as<typename Value::value_type>(element));
+    } else if constexpr (requires { value.has_value(); }) {
+        value = json.is_null() ? Value{} : read_as<typename Value::value_type>(json);
+    } else {
+        json.get_to(value);
     }
-    require_all_compared(v);
-}
-
-SceneSize scene_size(const Json& json) {
-    return {count(json.at("triangles")), whole_number<int>(json.at("width")),
-            whole_number<int>(json.at("height"))};
-}
-
-ShrunkView shrunk(const Json& json) {
-    return {.file = json.at("file"),
-            .before = scene_size(json.at("before")),
-            .after = scene_size(json.at("after")),
-            .tries = whole_number<int>(json.at("tries")),
-            .command = json.at("command")};
 }
 
 ViewResult view(const Json& json) {
-    ViewResult v{.scene = json.at("scene"),
-                 .source = json.at("source"),
-                 .view = json.at("view"),
-                 .reason = json.at("reason"),
-                 .outcome = outcome_named(json.at("outcome")),
-                 .message = json.at("message"),
-                 .width = whole_number<int>(json.at("width")),
-                 .height = whole_number<int>(json.at("height")),
-                 .triangles = count(json.at("triangles")),
-                 .candidate = json.at("candidate"),
-                 .reference = json.at("reference"),
-                 .counts = counts_by_name(json.at("counts")),
-                 .candidate_depth = bound_record(json.at("candidate_depth")),
-                 .reference_depth = bound_record(json.at("reference_depth")),
-                 .candidate_edges = bound_record(json.at("candidate_edges")),
-                 .reference_edges = bound_record(json.at("reference_edges")),
-                 .reference_defects = count(json.at("reference_defects")),
-                 .adjudicated = count(json.at("adjudicated")),
-                 .exact = count(json.at("exact")),
-                 .diagnosis = diagnosis(json.at("diagnosis")),
-                 .oracles = {},
-                 .id_agreement = {},
-                 .worst = {},
-                 .notes = json.at("notes"),
-                 .times = stage_times(json.at("times")),
-                 .folder = json.at("folder")};
-    for (const Json& finding : json.at("worst")) v.worst.push_back(reported(finding));
-    read_oracles(json, v);
-    read_gate(json, v);
-    if (json.contains("shrunk")) v.shrunk = shrunk(json.at("shrunk"));
-    return v;
-}
-
-void read_gate(const Json& root, Results& results) {
-    const Json& run = root.at("run");
-    results.argv = run.at("argv");
-    const Json& shard = run.at("shard");
-    results.shard = {.number = whole_number<int>(shard.at("number")),
-                     .count = whole_number<int>(shard.at("count")),
-                     .plan = shard.value("plan", ""),
-                     .taken_from = shard.value("taken_from", "")};
-    results.ending = ending_named(run.at("ending"));
-    results.today = run.at("today");
-    const Json& selection = root.at("selection");
-    results.selection = {count(selection.at("scenes")), selection.at("sha256"), {}};
-    if (const auto passed_over = selection.find("passed_over"); passed_over != selection.end())
-        for (const auto& [ending, files] : passed_over->items())
-            results.selection.passed_over[ending] = count(files);
-    const Json& waivers = root.at("waivers");
-    results.strictness = waivers.at("strict") ? Strictness::strict : Strictness::lenient;
-    for (const Json& one : waivers.at("list")) results.waivers.push_back(waiver_from(one));
+    auto view = read_as<ViewResult>(json);
+    require_all_compared(view);
+    return view;
 }
 
 void require_known_version(const std::string& version) {
@@ -290,22 +199,8 @@ void require_known_version(const std::string& version) {
 /// `views`: those that are no longer in `root`.
 Results results_from(const Json& root, std::vector<ViewResult> views) {
     require_known_version(root.at("schema_version"));
-    const Json& run = root.at("run");
-    Results results{.version = run.at("version"),
-                    .commit = run.value("commit", ""),
-                    .command = run.at("command"),
-                    .compiler = run.at("compiler"),
-                    .embree = run.at("embree"),
-                    .threads = whole_number<int>(run.at("threads")),
-                    .isa = run.value("isa", ""),
-                    .renderers = {},
-                    .views = std::move(views)};
-    for (const Json& one : run.at("renderers"))
-        results.renderers.push_back({.name = one.at("name"),
-                                     .version = one.at("version"),
-                                     .precision = one.at("precision").dump(),
-                                     .ids = one.value("ids", "triangle")});
-    read_gate(root, results);
+    auto results = read_as<Results>(root);
+    results.views = std::move(views);
     for (const Json& one : root.at("views")) results.views.push_back(view(one));
     return results;
 }

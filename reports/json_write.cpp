@@ -1,12 +1,13 @@
-#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "reports/json.h"
-#include "reports/waiver_json.h"
+#include "reports/result_fields.h"
 #include "reports/waiver_status.h"
 #include "reports/wording.h"
 
@@ -15,6 +16,10 @@ namespace zproof {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Any value of a row, as its type or its form has it in JSON.
+template <class Value>
+Json json_of(const Value& value);
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(shortest(value)); }
 
@@ -26,256 +31,105 @@ Json number(float value) {
     return number(same);
 }
 
-Json id(PrimitiveId primitive) {
+Json& at_path(Json& object, std::string_view path) {
+    const std::size_t slash = path.find('/');
+    Json& next = object[std::string(path.substr(0, slash))];
+    return slash == path.npos ? next : at_path(next, path.substr(slash + 1));
+}
+
+template <class Value>
+bool is_empty(const Value& value) {
+    if constexpr (requires { value.has_value(); })
+        return !value.has_value();
+    else if constexpr (std::is_same_v<Value, BoundHistogram>)
+        return value == Value{};
+    else if constexpr (requires { value.empty(); })
+        return value.empty();
+    else
+        return false;
+}
+
+template <class Record>
+void write_fields(Json& object, const Record& record) {
+    visit_fields<Record>([&](const auto& field) {
+        const auto& value = std::invoke(field.get, record);
+        if (!field.where(record) || (field.facts.presence == unless_empty && is_empty(value))) return;
+        at_path(object, field.name) = json_of(value);
+    });
+}
+
+Json special(PrimitiveId primitive) {
     return primitive == PrimitiveId::none ? Json(nullptr) : Json(static_cast<std::uint32_t>(primitive));
 }
 
-Json answer(const Answer& a) {
-    return {{"primitive", id(a.primitive)},
-            {"camera_depth", number(a.camera_depth)},
-            {"camera_depth_bits", hex_bits(a.camera_depth)}};
-}
+Json special(Day day) { return in_words(day); }
+Json special(const As<Bits, const float>& as) { return hex_bits(as.value); }
+Json special(const As<Channel, const std::size_t>& as) { return attribute_channels[as.value].name; }
+Json special(const As<JsonText, const std::string>& as) { return Json::parse(as.value); }
+Json special(const As<Flag, const Strictness>& as) { return as.value == Strictness::strict; }
 
-Json bound(const DepthBound& b) {
-    return {{"low", number(b.low)}, {"truth", number(b.truth)}, {"high", number(b.high)}};
-}
-
-Json wrong_attribute(const WrongAttribute& wrong) {
-    return {{"channel", attribute_channels[wrong.channel].name},
-            {"value", number(wrong.value)},
-            {"low", number(wrong.low)},
-            {"truth", number(wrong.truth)},
-            {"high", number(wrong.high)},
-            {"error_over_bound", number(wrong.error_over_bound)}};
-}
-
-Json reported(const ReportedFinding& r) {
-    const Finding& f = r.finding;
-    Json object = {{"x", f.x},
-                   {"y", f.y},
-                   {"class", name_of(f.verdict)},
-                   {"candidate", answer(f.candidate)},
-                   {"reference", answer(f.reference)},
-                   {"eps_px", number(f.eps_px)},
-                   {"candidate_depth_bound", bound(f.candidate_depth)},
-                   {"error_over_bound", number(f.error_over_bound)},
-                   {"explanation", r.explanation},
-                   {"command", r.command}};
-    if (!r.waiver.empty()) object["waiver"] = r.waiver;
-    if (f.wrong_attribute) object["wrong_attribute"] = wrong_attribute(*f.wrong_attribute);
-    return object;
-}
-
-Json reported(const std::vector<ReportedFinding>& findings) {
-    Json list = Json::array();
-    for (const ReportedFinding& finding : findings) list.push_back(reported(finding));
-    return list;
-}
-
-Json counts_by_name(const ClassCounts& counts) {
+Json special(const ClassCounts& counts) {
     Json object = Json::object();
     for (std::size_t i = 0; i < counts.size(); ++i) object[std::string(name_of(PixelClass(i)))] = counts[i];
     return object;
 }
 
-/// The record has no histogram where nothing was counted.
-Json bound_record(const BoundRecord& record) {
-    Json object = {{"max_error_over_bound", number(record.max_error_over_bound)}};
-    if (record.histogram != BoundHistogram{}) object["histogram"] = record.histogram;
+Json special(const As<Sparse, const ClassCounts>& as) {
+    Json object = Json::object();
+    for (std::size_t i = 0; i < as.value.size(); ++i)
+        if (as.value[i] > 0) object[std::string(name_of(PixelClass(i)))] = as.value[i];
     return object;
 }
 
-Json stage_times(const StageTimes& t) {
-    return {{"load", number(t.load)},
-            {"render", number(t.render)},
-            {"reference_build", number(t.reference_build)},
-            {"reference", number(t.reference)},
-            {"judge", number(t.judge)},
-            {"oracles", number(t.oracles)},
-            {"write", number(t.write)}};
-}
-
-Json explanation(const Explanation& e) {
-    return {{"name", e.name},       {"description", e.description},
-            {"look_at", e.look_at}, {"explained", e.explained},
-            {"asked", e.asked},     {"contradicted", e.contradicted},
-            {"checked", e.checked}, {"spared", number(e.saved_share)}};
-}
-
-Json diagnosis(const std::optional<Diagnosis>& d) {
-    if (!d) return nullptr;
-    Json further = Json::array(), runners_up = Json::array();
-    for (const Explanation& e : d->further) further.push_back(explanation(e));
-    for (const Explanation& e : d->runners_up) runners_up.push_back(explanation(e));
-    return {{"defects", d->defects},
-            {"cause", d->cause ? explanation(*d->cause) : Json(nullptr)},
-            {"further", further},
-            {"runners_up", runners_up}};
-}
-
 /// Classes without a pixel are left out.
-Json picture(const PictureDifferences& differences) {
+Json special(const PictureDifferences& differences) {
     Json object = Json::object();
     for (std::size_t i = 0; i < differences.size(); ++i)
-        if (const PictureDifference& d = differences[i]; d.pixels > 0)
-            object[std::string(name_of(PixelClass(i)))] = {{"pixels", d.pixels},
-                                                           {"rms", number(d.rms)},
-                                                           {"mean", number(d.mean)},
-                                                           {"largest", number(d.largest)}};
+        if (differences[i].pixels > 0) object[std::string(name_of(PixelClass(i)))] = json_of(differences[i]);
     return object;
 }
 
-Json oracle_result(const OracleResult& w) {
-    Json object = {{"name", w.name}, {"absent", w.absent}};
-    if (!w.absent.empty()) return object;
-    object.update({{"defects", defect_count(w.counts)},
-                   {"counts", counts_by_name(w.counts)},
-                   {"depth", bound_record(w.depth)},
-                   {"edges", bound_record(w.edges)},
-                   {"worst", reported(w.worst)}});
-    if (w.sample)
-        object["sample"] = {{"pixels", w.sample->pixels},
-                            {"stride", w.sample->stride},
-                            {"first", {w.sample->first_x, w.sample->first_y}},
-                            {"seed", w.sample->seed},
-                            {"fewer_because", w.sample->fewer_because}};
-    if (w.picture) object["picture"] = picture(*w.picture);
-    if (!w.no_picture.empty()) object["no_picture"] = w.no_picture;
+Json special(const decltype(Waiver::where)& where) {
+    Json object;
+    object["kind"] = waived_places[where.index()];
+    std::visit([&](const auto& place) { write_fields(object, place); }, where);
     return object;
 }
 
-Json oracles(const std::vector<OracleResult>& compared) {
-    Json list = Json::array();
-    for (const OracleResult& w : compared) list.push_back(oracle_result(w));
-    return list;
-}
-
-/// Classes without a pixel are left out.
-Json waived_by_name(const ClassCounts& counts) {
-    Json object = Json::object();
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        if (counts[i] > 0) object[std::string(name_of(PixelClass(i)))] = counts[i];
-    return object;
-}
-
-Json waiver_uses(const std::vector<WaiverUse>& uses) {
-    Json list = Json::array();
-    for (const WaiverUse& use : uses) list.push_back(waiver_use_object(use));
-    return list;
-}
-
-Json scene_size(const SceneSize& size) {
-    return {{"triangles", size.triangles}, {"width", size.width}, {"height", size.height}};
-}
-
-Json shrunk(const ShrunkView& shrunk) {
-    return {{"file", shrunk.file},
-            {"before", scene_size(shrunk.before)},
-            {"after", scene_size(shrunk.after)},
-            {"tries", shrunk.tries},
-            {"command", shrunk.command}};
-}
-
-Json view_object(const ViewResult& v) {
-    Json object = {{"scene", v.scene},
-                   {"source", v.source},
-                   {"view", v.view},
-                   {"reason", v.reason},
-                   {"outcome", name_of(v.outcome)},
-                   {"message", v.message},
-                   {"width", v.width},
-                   {"height", v.height},
-                   {"triangles", v.triangles},
-                   {"candidate", v.candidate},
-                   {"reference", v.reference},
-                   {"defects", defect_count(v)},
-                   {"counts", counts_by_name(v.counts)},
-                   {"waived", waived_by_name(v.waived)},
-                   {"waivers", waiver_uses(v.waivers)},
-                   {"candidate_depth", bound_record(v.candidate_depth)},
-                   {"reference_depth", bound_record(v.reference_depth)},
-                   {"candidate_edges", bound_record(v.candidate_edges)},
-                   {"reference_edges", bound_record(v.reference_edges)},
-                   {"reference_defects", v.reference_defects},
-                   {"adjudicated", v.adjudicated},
-                   {"exact", v.exact},
-                   {"diagnosis", diagnosis(v.diagnosis)},
-                   {"oracles", oracles(v.oracles)},
-                   {"id_agreement", {{"same", v.id_agreement.same}, {"unanimous", v.id_agreement.unanimous}}},
-                   {"worst", reported(v.worst)},
-                   {"notes", v.notes},
-                   {"folder", v.folder},
-                   {"place", v.place},
-                   {"view_place", v.view_place},
-                   {"scene_views", v.scene_views},
-                   {"scene_sha256", v.scene_sha256},
-                   {"times", stage_times(v.times)}};
-    if (!v.expects.empty()) object["expects"] = v.expects;
-    if (v.shrunk) object["shrunk"] = shrunk(*v.shrunk);
-    return object;
-}
-
-Json renderers(const std::vector<RendererFacts>& all) {
-    Json list = Json::array();
-    for (const RendererFacts& r : all)
-        list.push_back({{"name", r.name},
-                        {"version", r.version},
-                        {"precision", Json::parse(r.precision)},
-                        {"ids", r.ids}});
-    return list;
-}
-
-Json shard_object(const Shard& shard) {
-    Json object{{"number", shard.number}, {"count", shard.count}};
-    if (!shard.plan.empty()) object["plan"] = shard.plan;
-    if (!shard.taken_from.empty()) object["taken_from"] = shard.taken_from;
-    return object;
-}
-
-Json run_object(const Results& r) {
-    return {{"version", r.version},
-            {"commit", r.commit},
-            {"command", r.command},
-            {"argv", r.argv},
-            {"compiler", r.compiler},
-            {"embree", r.embree},
-            {"threads", r.threads},
-            {"isa", r.isa},
-            {"shard", shard_object(r.shard)},
-            {"ending", name_of(r.ending)},
-            {"today", r.today},
-            {"renderers", renderers(r.renderers)}};
-}
-
-Json waivers(const Results& r) {
-    Json list = Json::array();
-    for (const WaiverStatus& status : waiver_statuses(r)) {
-        Json object = waiver_object(*status.waiver);
-        object["state"] = name_of(status.state);
-        list.push_back(std::move(object));
+template <class Value>
+Json json_of(const Value& value) {
+    if constexpr (requires { special(value); }) {
+        return special(value);
+    } else if constexpr (std::is_floating_point_v<Value>) {
+        return number(value);
+    } else if constexpr (std::is_enum_v<Value>) {
+        return name_of(value);
+    } else if constexpr (is_record<Value>) {
+        Json object = Json::object();
+        write_fields(object, value);
+        return object;
+    } else if constexpr (requires { value.has_value(); }) {
+        return value ? json_of(*value) : Json(nullptr);
+    } else if constexpr (is_list<Value>) {
+        return std::apply([](const auto&... element) { return Json::array({json_of(element)...}); },
+                          elements_of<Value>(value));
+    } else if constexpr (is_vector<Value>) {
+        Json list = Json::array();
+        for (const auto& element : value) list.push_back(json_of(element));
+        return list;
+    } else {
+        return value;
     }
-    return {{"strict", r.strictness == Strictness::strict}, {"list", list}};
-}
-
-Json summary_object(const Results& results) {
-    Json summary = {{"views", results.views.size()}};
-    for (const Outcome outcome : all_outcomes)
-        summary[std::string(name_of(outcome))] =
-            std::ranges::count(results.views, outcome, &ViewResult::outcome);
-    return summary;
 }
 
 /// All of it, with those views.
 Json root_object(const Results& results, Json views) {
-    return {{"schema_version", Results::schema_version},
-            {"run", run_object(results)},
-            {"selection",
-             {{"scenes", results.selection.scenes},
-              {"sha256", results.selection.sha256},
-              {"passed_over", results.selection.passed_over}}},
-            {"summary", summary_object(results)},
-            {"waivers", waivers(results)},
-            {"views", std::move(views)}};
+    Json root = json_of(results);
+    Json& waivers = root["waivers"]["list"];
+    const std::vector<WaiverStatus> statuses = waiver_statuses(results);
+    for (std::size_t i = 0; i < statuses.size(); ++i) waivers[i]["state"] = name_of(statuses[i].state);
+    root["views"] = std::move(views);
+    return root;
 }
 
 std::string text_of(const Json& value) { return value.dump(1, ' ', false, Json::error_handler_t::replace); }
@@ -284,7 +138,7 @@ std::string text_of(const Json& value) { return value.dump(1, ' ', false, Json::
 /// between tokens only.
 std::string element_text(const ViewResult& view) {
     std::string text = "\n  ";
-    for (const char c : text_of(view_object(view))) {
+    for (const char c : text_of(json_of(view))) {
         text += c;
         if (c == '\n') text += "  ";
     }
@@ -307,11 +161,11 @@ std::string to_json(const Results& results) {
     return collected([&](const TextSink& out) { write_json(out, results); });
 }
 
+std::string waivers_as_json(const std::vector<Waiver>& waivers) { return text_of(json_of(waivers)); }
+
 std::string to_message_pack(const Results& results) {
     std::string bytes;
-    Json views = Json::array();
-    for (const ViewResult& view : results.views) views.push_back(view_object(view));
-    Json::to_msgpack(root_object(results, std::move(views)), bytes);
+    Json::to_msgpack(root_object(results, json_of(results.views)), bytes);
     return bytes;
 }
 

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <span>
 #include <tuple>
 #include <utility>
 
 #include "reports/expectations.h"
+#include "reports/json.h"
 #include "reports/report_error.h"
-#include "reports/waiver_json.h"
 
 namespace zproof {
 
@@ -21,12 +20,6 @@ std::string renderers_of(const Results& r) {
     for (const RendererFacts& facts : r.renderers)
         text += (text.empty() ? "" : "; ") + title_of(facts) + " " + facts.precision + " ids: " + facts.ids;
     return text;
-}
-
-std::string waivers_of(const Results& r) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Waiver& waiver : r.waivers) list.push_back(waiver_object(waiver));
-    return list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 /// Something that all shards of one run have in common.
@@ -48,7 +41,8 @@ const std::vector<Common>& common_things() {
         {"the number of shards", [](const Results& r) { return std::to_string(r.shard.count); },
          "run all shards with the same count"},
         {"the plan", [](const Results& r) { return r.shard.plan; }, "run all shards of one plan"},
-        {"the waivers", waivers_of, "give all shards the same waiver file"},
+        {"the waivers", [](const Results& r) { return waivers_as_json(r.waivers); },
+         "give all shards the same waiver file"},
         {"the day of the waivers", [](const Results& r) { return r.today; }, "give all shards one --now"},
         {"--strict", [](const Results& r) { return std::to_string(int(r.strictness)); },
          "run all shards with it or without it"},

@@ -58,13 +58,13 @@ const std::map<std::string, Names> may_include_in_compare{
 };
 
 /// What stands in compare/ itself: every room may look at its types, and rooms above the judge at the judge.
-const Names types_of_compare{"pixel_class.h", "verdict.h", "rendered_frame.h"};
+const Names types_of_compare{"pixel_class.h", "finding.h", "verdict.h", "rendered_frame.h"};
 const Names rooms_above_the_judge{"diagnosis", "explanation"};
 /// The rooms that its own files may look into; those that are not named, into none.
 const std::map<std::string, Names> may_include_from_compare{
     {"judge.cpp", {"agree", "adjudicate", "attributes"}},
     {"rendered_frame.h", {"bounds"}},
-    {"verdict.h", {"bounds", "attributes"}},
+    {"finding.h", {"bounds", "attributes"}},
 };
 
 /// Where a foreign library is spoken to; everywhere else it is unknown. <iostream>: library rooms never
@@ -342,8 +342,8 @@ TEST(HousePlan, APlantedIncludeInTheJudgesRoomsIsNamed) {
     EXPECT_EQ(faults("compare/waivers/a.h", "compare/id_agreement.h"), 1u);
     EXPECT_EQ(faults("compare/judge.cpp", adjudicator), 0u);
     EXPECT_EQ(faults("compare/judge.h", adjudicator), 1u);
-    EXPECT_EQ(faults("compare/verdict.h", "compare/bounds/depth_bound.h"), 0u);
-    EXPECT_EQ(faults("compare/verdict.h", adjudicator), 1u);
+    EXPECT_EQ(faults("compare/finding.h", "compare/bounds/depth_bound.h"), 0u);
+    EXPECT_EQ(faults("compare/finding.h", adjudicator), 1u);
     EXPECT_EQ(faults("compare/picture_difference.cpp", "compare/bounds/bounds.h"), 1u);
     EXPECT_EQ(faults("compare/picture_difference.cpp", "compare/id_agreement.h"), 0u);
 }

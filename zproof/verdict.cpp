@@ -1,6 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "compare/diagnosis/diagnosis.h"
 #include "compare/explanation/explain.h"
@@ -56,6 +60,37 @@ double error_of(const zproof::Finding& f) {
     return std::isnan(error) ? -1 : error;
 }
 
+constexpr auto& judged_columns = table_columns<zproof::Finding>;
+
+/// The place of that name among the judge's columns; where it has none, their number.
+constexpr std::size_t judged_column(std::string_view name) {
+    const auto place = [&](const auto&... column) {
+        std::size_t before = 0;
+        (void)((column.record() == name || (++before, false)) || ...);
+        return before;
+    };
+    return std::apply(place, judged_columns);
+}
+
+template <std::size_t i>
+void tell(Finding& told, const zproof::Finding& f) {
+    constexpr auto field = std::get<i>(finding_fields);
+    constexpr std::size_t column = judged_column(field.first);
+    auto& number = told.*field.second;
+    if constexpr (std::string_view(field.first) == "is_defect")
+        number = zproof::is_defect(f.verdict);
+    else
+        number =
+            std::remove_reference_t<decltype(number)>(std::invoke(std::get<column>(judged_columns).get, f));
+}
+
+template <std::size_t... i>
+Finding plain(const zproof::Finding& f, std::index_sequence<i...>) {
+    Finding told{};
+    (tell<i>(told, f), ...);
+    return told;
+}
+
 }  // namespace
 
 std::span<const std::string_view> class_names() { return names; }
@@ -65,19 +100,7 @@ bool is_defect(std::uint32_t pixel_class) {
 }
 
 Finding plain(const zproof::Finding& f) {
-    return {.x = f.x,
-            .y = f.y,
-            .pixel_class = std::uint32_t(f.verdict),
-            .is_defect = zproof::is_defect(f.verdict),
-            .candidate_id = std::uint32_t(f.candidate.primitive),
-            .reference_id = std::uint32_t(f.reference.primitive),
-            .candidate_depth = f.candidate.camera_depth,
-            .reference_depth = f.reference.camera_depth,
-            .depth_low = f.candidate_depth.low,
-            .depth_truth = f.candidate_depth.truth,
-            .depth_high = f.candidate_depth.high,
-            .eps_px = f.eps_px,
-            .error_over_bound = f.error_over_bound};
+    return plain(f, std::make_index_sequence<std::tuple_size_v<decltype(finding_fields)>>{});
 }
 
 RenderedFrame candidate_of(const Verdict::Data& data) { return {data.judged, data.declared.precision}; }

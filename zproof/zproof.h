@@ -20,6 +20,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace zproof::api {
@@ -181,6 +183,23 @@ struct Finding {
     double depth_low, depth_truth, depth_high;  ///< that the candidate's triangle admits; NaN: background
     double eps_px;                              ///< half-side of the square that the answer was judged in
     double error_over_bound;                    ///< of the candidate's depth; NaN: background
+};
+
+/// Its numbers by the names that arrays give them.
+inline constexpr std::tuple finding_fields{
+    std::pair{"x", &Finding::x},
+    std::pair{"y", &Finding::y},
+    std::pair{"class", &Finding::pixel_class},
+    std::pair{"is_defect", &Finding::is_defect},
+    std::pair{"id", &Finding::candidate_id},
+    std::pair{"reference_id", &Finding::reference_id},
+    std::pair{"depth", &Finding::candidate_depth},
+    std::pair{"reference_depth", &Finding::reference_depth},
+    std::pair{"depth_low", &Finding::depth_low},
+    std::pair{"depth_truth", &Finding::depth_truth},
+    std::pair{"depth_high", &Finding::depth_high},
+    std::pair{"eps_px", &Finding::eps_px},
+    std::pair{"error_over_bound", &Finding::error_over_bound},
 };
 
 /// Why a pixel has its class.

@@ -12,6 +12,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include "tests/reports/results_schema.h"
 #include "tests/reports/sample.h"
 #include "tests/reports/waived_run.h"
 
@@ -54,6 +55,11 @@ std::string refusal(const std::string& text) {
 }
 
 }  // namespace
+
+TEST(Json, SchemaIsTheOneOfTheFields) {
+    EXPECT_EQ(content_of(ZPROOF_RESULTS_SCHEMA), results_schema())
+        << "renew it: build/release/tests/reports/write_schema > reports/results.schema.json";
+}
 
 TEST(Json, OfARunWithWaiversFitsTheSchema) { EXPECT_EQ(objections(Json::parse(to_json(waived_run()))), ""); }
 
