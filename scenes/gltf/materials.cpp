@@ -73,8 +73,6 @@ Texture texture_of(const GltfModel& model, const gltf::TextureInfo& use,
     return texture;
 }
 
-std::string image_place(int index) { return "/images/" + std::to_string(index); }
-
 /// An image as the file has it.
 struct Encoded {
     int index = 0;
@@ -111,7 +109,7 @@ void read_bytes(const gltf::Image& declared, Admission& admission, const GltfMod
         image.declared_type = decoded.type;
         image.own = std::move(decoded.bytes);
     } else {
-        const AdmittedFile file = admission.admit(image_place(image.index) + "/uri", declared.uri);
+        const AdmittedFile file = admission.admit(pointer("images", image.index, "/uri"), declared.uri);
         image.own.resize(file.bytes);
         read_first(file.path, image.own);
     }
@@ -122,8 +120,8 @@ void note_type(const Encoded& image, GltfModel& model) {
     const bool is_png = image_extent(image.bytes).format == ImageExtent::Format::png;
     const std::string found = is_png ? "image/png" : "image/jpeg";
     if (!image.declared_type.empty() && image.declared_type != found)
-        model.notes.push_back(
-            on_one_line(image_place(image.index) + ": declared " + image.declared_type + ", is " + found));
+        model.notes.push_back(on_one_line(pointer("images", image.index) + ": declared " +
+                                          image.declared_type + ", is " + found));
 }
 
 /// Why the image cannot be decoded as far as its header tells, or nothing. Adds to the texels of all images.
@@ -168,7 +166,7 @@ void read_images(Admission& admission, GltfModel& model) {
     std::vector<Encoded> images = encoded_images(admission, model);
     tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) { decode(images[i]); });
     for (Encoded& image : images) {
-        if (!image.refusal.empty()) refuse(model.file, image_place(image.index), image.refusal);
+        if (!image.refusal.empty()) refuse(model.file, pointer("images", image.index), image.refusal);
         model.images.emplace(image.index, std::move(image.decoded));
     }
     if (const std::size_t unread = model.document.images.size() - images.size(); unread > 0)
