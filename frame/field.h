@@ -26,8 +26,8 @@ struct Always {
     }
 };
 
-/// Get: a pointer to a member, or a function of the record. What it returns by reference is written and read;
-/// a value is written alone.
+/// Get: a pointer to a member, or a function. What it gives by reference is written and read; a value,
+/// written.
 template <class Get, class Where = Always>
 struct Field {
     std::string_view name;  ///< "a/b": the key b of the object a

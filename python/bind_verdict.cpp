@@ -192,7 +192,10 @@ void bind_verdict(py::module_& module) {
         .def_property_readonly(
             "classes", [](const py::object& self) { return plane_of(self, &api::Verdict::classes); },
             "uint8 (height, width), read-only: an index of CLASS_NAMES for every pixel")
-        .def_property_readonly("findings", &findings_of, findings_words().c_str())
+        .def_property_readonly("findings", &findings_of,
+                               "A structured array, read-only: every pixel that is not `agree`, in raster "
+                               "order. Its class is an "
+                               "index of CLASS_NAMES, is_defect 0 or 1.")
         .def_property_readonly(
             "worst", &worst_of,
             "The defect with the largest error over its bound, as the report ranks them, or None.")
