@@ -35,7 +35,8 @@ struct Bits;
 
 inline constexpr std::string_view scene_units = "scene units", the_bits = "the float32's bits";
 
-/// In the order of results.json and of findings.csv.
+/// In the order of results.json and of findings.csv. Bits stand behind the decimal, so that a reader keeps
+/// them.
 template <>
 inline constexpr auto fields<Finding> = std::tuple{
     field("x", &Finding::x, "column; 0 is the left one", {.unit = "px"}),

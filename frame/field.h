@@ -101,6 +101,7 @@ template <class Outer, class... Rows>
 constexpr auto within(Outer outer, const std::tuple<Rows...>& rows) {
     return std::apply(
         [&](const auto&... row) {
+            static_assert((std::is_same_v<decltype(row.where), Always> && ...));
             return std::tuple{field(row.name, at(outer, row.get), row.meaning, row.facts)...};
         },
         rows);

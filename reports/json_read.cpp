@@ -70,6 +70,15 @@ const Json& at_path(const Json& object, std::string_view path) {
     return slash == path.npos ? next : at_path(next, path.substr(slash + 1));
 }
 
+/// What is left out where it is empty is no null.
+template <class Value>
+void read_what_is_there(const Json& json, Value& value) {
+    if constexpr (requires { value.has_value(); })
+        read(json, value.emplace());
+    else
+        read(json, value);
+}
+
 /// Fields that others tell are passed over. What an older version, or an empty value, leaves out stays as it
 /// is.
 template <class Record>
@@ -82,7 +91,7 @@ void read_fields(const Json& json, Record& record) {
             if (field.facts.since.empty() && field.facts.presence != unless_empty)
                 read(at_path(json, field.name), value);
             else if (const Json* const there = found(json, field.name))
-                read(*there, value);
+                read_what_is_there(*there, value);
         }
     });
 }
@@ -174,6 +183,7 @@ void read(const Json& json, Value& value) {
         std::size_t i = 0;
         std::apply([&](auto&... element) { (read(json.at(i++), element), ...); }, elements_of<Value>(value));
     } else if constexpr (is_vector<Value>) {
+        if (!json.is_array()) refuse(std::string("expected a list, found ") + json.type_name());
         for (const Json& element : json) value.push_back(read_as<typename Value::value_type>(element));
     } else if constexpr (requires { value.has_value(); }) {
         value = json.is_null() ? Value{} : read_as<typename Value::value_type>(json);

@@ -386,6 +386,8 @@ std::uint64_t views_of(const Results& results) {
     return std::uint64_t(std::ranges::count(results.views, outcome, &ViewResult::outcome));
 }
 
+static_assert(all_outcomes.size() == 6);  // each has a row of summary
+
 template <>
 inline constexpr auto fields<Results> = std::tuple{
     ObjectFacts{"",

@@ -45,7 +45,7 @@ Candidates promises(const std::string&) {
 
 Candidates conventions(const std::string&) { return {convention_names(), Paths::files, Listing::single}; }
 
-/// With commas between them.
+/// Several of the words may be typed, with commas between them.
 Candidates several(Words words) { return {std::move(words), Paths::none, Listing::by_comma}; }
 
 constexpr std::array kinds{

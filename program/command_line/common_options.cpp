@@ -48,6 +48,9 @@ void add_progress(CLI::App& app, CommonArguments& common) {
 }
 
 void add_isa(CLI::App& app) {
+    std::vector<std::string> names;
+    for (const InstructionSet set : {InstructionSet::scalar, InstructionSet::avx2, InstructionSet::avx512})
+        names.emplace_back(name_of(set));
     app.add_option_function<std::string>(
            "--isa",
            [](const std::string& word) {
@@ -58,7 +61,7 @@ void add_isa(CLI::App& app) {
                }
            },
            "the widest instruction set of zproof's own code; no bit depends on it")
-        ->type_name("TEXT:{scalar,avx2,avx512}")
+        ->type_name("TEXT:" + CLI::detail::generate_set(names))
         ->default_str("all that the processor has")
         ->group(machine_options);
 }

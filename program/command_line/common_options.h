@@ -10,8 +10,8 @@
 
 namespace zproof {
 
-/// The heading in the help of options on which no verdict depends. A plan leaves them to each machine.
-inline constexpr const char* machine_options = "Output and machine; no verdict depends on these";
+/// The heading in the help of options that a plan does not state, but leaves to each machine.
+inline constexpr const char* machine_options = "Output, settings and machine";
 
 /// Binds a word from a fixed list, which must outlive the app; the help shows the list, an unknown word is a
 /// usage error.

@@ -9,7 +9,7 @@ namespace zproof {
 
 namespace {
 
-/// With one line between them.
+/// The groups of options, with one empty line between them.
 std::string groups_of(const CLI::App* app, CLI::AppFormatMode mode) {
     return CLI::detail::find_and_replace(CLI::Formatter{}.make_groups(app, mode), "\n\n\n", "\n\n");
 }

@@ -16,15 +16,14 @@ namespace zproof {
 void give(const SettingValues& assignments, CLI::App& app);
 
 /// Those that this command listens to. What bears on the judgement is for the commands that have --config;
-/// threads, isa, color and progress are for every command that renders. So the commands that a report names
+/// threads, isa, color and progress are for these and for every command that renders. So the commands that a report names
 /// (zproof explain ...) mean the same on every machine.
 SettingValues that_concern(const CLI::App& app, const SettingValues& assignments);
 
 /// Is there a setting at all that the command listens to?
 bool listens(const CLI::App& app);
 
-/// Is this option about the machine that judges, and where and how it tells of it? No verdict depends on it,
-/// and a plan does not state it.
+/// Is this option about the machine that judges, and where and how it tells of it? A plan does not state it.
 bool is_of_the_machine(const CLI::Option& option);
 
 }  // namespace zproof

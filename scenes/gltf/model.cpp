@@ -140,7 +140,7 @@ DecodedUri decoded_uri(const std::string& uri) {
 GltfModel read_gltf(const std::filesystem::path& file) {
     Bytes bytes = read_file(file, limits::file_bytes);
     GltfModel model = parsed(file, open_container(file, bytes));
-    model.bytes = std::move(bytes);
+    if (model.chunk.data() != nullptr) model.bytes = std::move(bytes);
     model.notes = check_model(model);
     Admission admission(file);
     read_buffers(admission, model);

@@ -224,7 +224,7 @@ void add_basic(Json& all) {
                                               of_type("null")})}};
 }
 
-/// Of what rows do not tell: each waiver's state, and the views.
+/// Adds what rows do not tell: each waiver's state, and the views.
 void add_the_rest(Json& schema, Definitions& definitions) {
     Json states = Json::array();
     using State = WaiverStatus::State;

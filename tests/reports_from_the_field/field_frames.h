@@ -10,7 +10,7 @@
 #include "scenes/scene.h"
 #include "scenes/view.h"
 
-namespace zproof::field {
+namespace zproof::field_reports {
 
 /// What is put before the judge.
 struct Shown {
@@ -32,4 +32,4 @@ std::vector<FieldFrame> frames_of_place();
 std::vector<FieldFrame> frames_of_depth();
 std::vector<FieldFrame> frames_of_ids();
 
-}  // namespace zproof::field
+}  // namespace zproof::field_reports

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace zproof::field {
+namespace zproof::field_reports {
 
 namespace {
 
@@ -148,4 +148,4 @@ View parallel_view_of_yard(double half_width, double half_height, int width, int
     return view;
 }
 
-}  // namespace zproof::field
+}  // namespace zproof::field_reports

@@ -4,7 +4,7 @@
 #include "scenes/scene.h"
 #include "scenes/view.h"
 
-namespace zproof::field {
+namespace zproof::field_reports {
 
 /// One triangle.
 Scene one_triangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
@@ -25,4 +25,4 @@ View parallel_view_ahead(double half_width, double half_height, int width, int h
 View view_of_yard(int width = 96, int height = 72);
 View parallel_view_of_yard(double half_width, double half_height, int width, int height);
 
-}  // namespace zproof::field
+}  // namespace zproof::field_reports

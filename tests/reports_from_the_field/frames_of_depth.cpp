@@ -5,7 +5,7 @@
 #include "tests/reports_from_the_field/field_scenes.h"
 #include "tests/reports_from_the_field/ray_caster.h"
 
-namespace zproof::field {
+namespace zproof::field_reports {
 
 namespace {
 
@@ -280,4 +280,4 @@ std::vector<FieldFrame> frames_of_depth() {
     };
 }
 
-}  // namespace zproof::field
+}  // namespace zproof::field_reports

@@ -6,7 +6,7 @@
 #include "tests/reports_from_the_field/field_scenes.h"
 #include "tests/reports_from_the_field/ray_caster.h"
 
-namespace zproof::field {
+namespace zproof::field_reports {
 
 namespace {
 
@@ -142,4 +142,4 @@ std::vector<FieldFrame> frames_of_ids() {
     };
 }
 
-}  // namespace zproof::field
+}  // namespace zproof::field_reports

@@ -5,7 +5,7 @@
 #include "tests/reports_from_the_field/field_scenes.h"
 #include "tests/reports_from_the_field/ray_caster.h"
 
-namespace zproof::field {
+namespace zproof::field_reports {
 
 namespace {
 
@@ -337,4 +337,4 @@ std::vector<FieldFrame> frames_of_place() {
     return all;
 }
 
-}  // namespace zproof::field
+}  // namespace zproof::field_reports

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace zproof::field {
+namespace zproof::field_reports {
 
 namespace {
 
@@ -128,4 +128,4 @@ Frame cast(const Scene& scene, const View& view, const Habits& habits) {
     return frame;
 }
 
-}  // namespace zproof::field
+}  // namespace zproof::field_reports

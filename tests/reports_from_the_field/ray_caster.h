@@ -9,7 +9,7 @@
 #include "scenes/scene.h"
 #include "scenes/view.h"
 
-namespace zproof::field {
+namespace zproof::field_reports {
 
 /// A triangle as the camera has it: right, up, depth.
 struct CameraTriangle {
@@ -34,4 +34,4 @@ struct Habits {
 /// The nearest triangle between near and far at each pixel; of equals, the first.
 Frame cast(const Scene& scene, const View& view, const Habits& habits = {});
 
-}  // namespace zproof::field
+}  // namespace zproof::field_reports

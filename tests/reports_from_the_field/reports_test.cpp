@@ -12,7 +12,7 @@
 #include "oracle/embree.h"
 #include "tests/reports_from_the_field/field_frames.h"
 
-namespace zproof::field {
+namespace zproof::field_reports {
 
 /// Names the frame in the test's parameter line; found by gtest in this namespace.
 void PrintTo(const FieldFrame& frame, std::ostream* out) { *out << frame.name; }
@@ -108,4 +108,4 @@ INSTANTIATE_TEST_SUITE_P(Field, Report, testing::ValuesIn(all_frames()),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace zproof::field
+}  // namespace zproof::field_reports
