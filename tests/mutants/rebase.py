@@ -1,7 +1,6 @@
 """Finds the texts of a list of defects again after code has moved, was formatted or has other names, and
 rewrites the list. A text without a certain place is named and left as it is."""
 import difflib
-import pathlib
 import re
 import subprocess
 
@@ -167,11 +166,11 @@ def rewritten(text, mutant, moved):
     return "\n\n".join([f"{head}\nname: {mutant.name}\n{block}", *others])
 
 
-def rebase(name, is_wanted):
-    """Prints what it changes. 3 where a text has no certain place. `is_wanted`: may a file have defects?"""
-    listed = git("ls-files", "--cached", "--others", "--exclude-standard", "*.h", "*.cpp", "*.inl")
-    texts = {file: (ROOT / file).read_text() for file in sorted(listed.splitlines())
-             if is_wanted(pathlib.PurePath(file)) and (ROOT / file).is_file()}
+def rebase(name, folder):
+    """Looks below this folder and prints what it changes. 3 where a text has no certain place."""
+    listed = git("ls-files", "--cached", "--others", "--exclude-standard", folder).splitlines()
+    texts = {file: (ROOT / file).read_text() for file in sorted(listed)
+             if file.endswith((".h", ".cpp", ".inl")) and (ROOT / file).is_file()}
     status = 0
     for mutant in read_catalogue(name):
         try:
