@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "filters/conformance/filter_precision.h"
-#include "frame/colour_draw.h"
+#include "filters/reference/permitted_colours.h"
 #include "frame/picture.h"
 
 namespace zproof {

@@ -2,7 +2,7 @@
 /// the end.
 #pragma once
 
-#include "frame/colour_range.h"
+#include "filters/reference/permitted_colours.h"
 #include "math/interval_functions.h"
 
 namespace zproof::oracle::filter_reference {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "filters/reference/interval_image.h"
-#include "frame/colour_draw.h"
+#include "filters/reference/permitted_colours.h"
 
 namespace zproof::oracle::filter_reference {
 

@@ -1,14 +1,23 @@
-/// What a stochastic texture filter may show at a pixel, and how likely: what its definition says of one
-/// sample.
+/// What a texture filter's definition permits at a pixel: ranges of colours, and of a stochastic filter how
+/// likely each is for one sample.
 #pragma once
 
 #include <array>
+#include <glm/glm.hpp>
 #include <vector>
 
-#include "frame/colour_range.h"
 #include "math/interval.h"
 
 namespace zproof {
+
+/// Linear light; low <= high.
+struct ColourRange {
+    glm::dvec3 low{0}, high{0};
+};
+
+/// The ranges of the permitted colours. Where a decision is undecided (which texel is nearest), each outcome
+/// has a range of its own; a colour is admissible where one of them holds all its channels. Never empty.
+using PermittedColours = std::vector<ColourRange>;
 
 /// In how many ways probabilities can be off together: the place lies farther along u; along v; the LOD is
 /// larger; the decisions along u and v depend on each other.
