@@ -9,8 +9,7 @@
 
 #include "cli/outcome_code.h"
 #include "reports/extent.h"
-#include "reports/github.h"
-#include "reports/markdown.h"
+#include "reports/formats.h"
 #include "reports/report_error.h"
 #include "reports/terminal.h"
 #include "reports/waiver_status.h"

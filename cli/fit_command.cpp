@@ -18,7 +18,7 @@
 #include "reports/fit/fit_report.h"
 #include "reports/output_folder.h"
 #include "reports/pages/folder.h"
-#include "reports/pages/terminal.h"
+#include "reports/pages/writers.h"
 #include "scenes/judged_ranges.h"
 
 namespace zproof {

@@ -7,12 +7,9 @@
 #include "frame/whole_file.h"
 #include "program/nearest_word.h"
 #include "program/usage_error.h"
-#include "reports/csv.h"
-#include "reports/github.h"
+#include "reports/formats.h"
 #include "reports/html.h"
 #include "reports/json.h"
-#include "reports/junit.h"
-#include "reports/markdown.h"
 #include "reports/result_file.h"
 
 namespace zproof {

@@ -10,6 +10,10 @@
 #include "reports/pages/document.h"
 #include "scenes/loaded.h"
 
+namespace CLI {
+class App;
+}
+
 namespace zproof {
 
 /// One view of a scene, as a study is handed it.

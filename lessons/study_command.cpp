@@ -12,7 +12,7 @@
 #include "program/work_progress.h"
 #include "reports/output_folder.h"
 #include "reports/pages/folder.h"
-#include "reports/pages/terminal.h"
+#include "reports/pages/writers.h"
 
 namespace zproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/csv.h"
+#include "reports/formats.h"
 
 #include <initializer_list>
 

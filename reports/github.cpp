@@ -1,4 +1,4 @@
-#include "reports/github.h"
+#include "reports/formats.h"
 
 #include <algorithm>
 #include <vector>

@@ -9,7 +9,7 @@
 #include "reports/html_parts.h"
 #include "reports/page_parts.h"
 #include "reports/page_scripts.h"
-#include "reports/pages/page.h"
+#include "reports/pages/writers.h"
 #include "reports/wording.h"
 
 namespace zproof {

@@ -11,6 +11,10 @@ namespace zproof {
 using TextSink = std::function<void(std::string_view)>;
 
 /// All that `write` puts out, in memory.
-std::string collected(const std::function<void(const TextSink&)>& write);
+inline std::string collected(const std::function<void(const TextSink&)>& write) {
+    std::string text;
+    write([&](std::string_view piece) { text += piece; });
+    return text;
+}
 
 }  // namespace zproof

@@ -1,4 +1,4 @@
-#include "reports/pages/csv.h"
+#include "reports/pages/writers.h"
 
 #include "reports/pages/cell_text.h"
 #include "reports/wording.h"

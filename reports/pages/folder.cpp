@@ -3,9 +3,8 @@
 #include <span>
 
 #include "frame/whole_file.h"
-#include "reports/pages/csv.h"
 #include "reports/pages/json.h"
-#include "reports/pages/page.h"
+#include "reports/pages/writers.h"
 #include "reports/result_file.h"
 
 namespace zproof::document {

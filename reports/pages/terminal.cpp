@@ -1,4 +1,4 @@
-#include "reports/pages/terminal.h"
+#include "reports/pages/writers.h"
 
 #include <algorithm>
 

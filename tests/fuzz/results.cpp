@@ -1,9 +1,6 @@
 // results.json, and every report without pictures that is made of it.
-#include "reports/csv.h"
-#include "reports/github.h"
+#include "reports/formats.h"
 #include "reports/json.h"
-#include "reports/junit.h"
-#include "reports/markdown.h"
 #include "reports/terminal.h"
 #include "tests/fuzz/harness.h"
 

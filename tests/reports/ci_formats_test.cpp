@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "reports/csv.h"
-#include "reports/github.h"
-#include "reports/markdown.h"
+#include "reports/formats.h"
 #include "tests/reports/sample.h"
 #include "tests/reports/waived_run.h"
 

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "reports/formats.h"
 #include "reports/html.h"
 #include "reports/json.h"
-#include "reports/junit.h"
 #include "reports/terminal.h"
 #include "tests/reports/waived_run.h"
 

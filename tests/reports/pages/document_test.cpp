@@ -7,11 +7,9 @@
 #include <limits>
 
 #include "reports/page_scripts.h"
-#include "reports/pages/csv.h"
 #include "reports/pages/folder.h"
 #include "reports/pages/json.h"
-#include "reports/pages/page.h"
-#include "reports/pages/terminal.h"
+#include "reports/pages/writers.h"
 #include "tests/support/test_folder.h"
 
 namespace zproof::document {
