@@ -43,6 +43,11 @@ struct PlanArguments {
 };
 
 /// Whose file of cameras it is.
+struct InitArguments {
+    CommonArguments common{.output = Output::folder, .out = "."};
+    enum class Language { python, cpp, opengl } language = Language::python;
+};
+
 enum class CameraSource { opencv, colmap, nerf };
 
 struct ViewsArguments {

@@ -79,6 +79,10 @@ ExitCode execute(const GenerateArguments& arguments);
 /// Writes random scenes as files of the same kinds, named by their words with "-" for ":".
 ExitCode execute(const RandomScenesArguments& arguments);
 
+/// Writes a renderer to begin with, its settings and a gate, and prints the next command. UsageError, before
+/// anything is written, where one of its files is there and says something else.
+ExitCode execute(const InitArguments& arguments);
+
 /// Writes a view file of a model from another program's cameras, and prints by how much they had to be
 /// changed. SceneError where they are no pinholes or no rotations.
 ExitCode execute(const ViewsArguments& arguments);

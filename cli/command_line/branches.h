@@ -23,6 +23,7 @@ Branch add_doctor(CLI::App& parent, CommandWords& words);
 Branch add_list(CLI::App& parent, CommandWords& words);
 Branch add_scenes(CLI::App& parent, CommandWords& words);
 Branch add_views(CLI::App& parent, CommandWords& words);
+Branch add_init(CLI::App& parent, CommandWords& words);
 Branch add_completion(CLI::App& parent, CommandWords& words);
 Branch add_man(CLI::App& parent, CommandWords& words);
 

@@ -7,6 +7,7 @@ namespace {
 
 constexpr auto all = std::to_array<Example>({
     {"", "zproof run", "judge the built-in suite, write zproof-out/"},
+    {"", "zproof init c++ -o judged", "a renderer of your own to begin with, and its gate"},
     {"", "zproof contract-check './mine {scene} {camera} {width} {height} {out}'",
      "does your own renderer keep the contract?"},
     {"", "zproof explain model.glb 812 344", "tell the whole story of one pixel"},
@@ -81,6 +82,8 @@ constexpr auto all = std::to_array<Example>({
     {"scenes generate", "zproof scenes generate", "the whole suite, into zproof-scenes/"},
     {"scenes generate", "zproof scenes generate room oblique -o scenes", "two scenes of it"},
     {"scenes random", "zproof scenes random --kind clipped --count 5 -o scenes", "five of one kind"},
+    {"init", "zproof init", "a z-buffer in Python, in this folder"},
+    {"init", "zproof init opengl -o judged", "OpenGL without a window, in C++"},
     {"views", "zproof views colmap sparse/0 model.glb --near 0.1 -o model.view.json",
      "the images of a COLMAP model (text files)"},
     {"views",

@@ -1,5 +1,5 @@
 // The commands that look at renderers and scenes without judging a run: render, measure, fit, selfcheck,
-// contract-check, selftest, list, scenes.
+// contract-check, selftest, init, list, scenes.
 #include "cli/command_line/branches.h"
 #include "cli/command_line/options.h"
 #include "cli/commands.h"
@@ -20,6 +20,10 @@ constexpr const char* selfcheck_remark =
 
 constexpr const char* contract_remark =
     "\nThree small scenes. Exit status: 0 the contract is kept, 1 a frame is wrong, 3 no frame came.";
+
+const std::map<std::string, InitArguments::Language> languages{{"c++", InitArguments::Language::cpp},
+                                                               {"opengl", InitArguments::Language::opengl},
+                                                               {"python", InitArguments::Language::python}};
 
 CLI::App& add_random_scenes(CLI::App& scenes, RandomScenesArguments& drawn) {
     CLI::App& app = *scenes.add_subcommand("random", "write random scenes as .glb and .view.json");
@@ -142,6 +146,16 @@ Branch add_selftest(CLI::App& parent, CommandWords& words) {
     add_common(app, words.selftest.common);
     add_isa(app);
     return {&app, [&words] { return command_of(words.selftest, "cannot test the gate"); }};
+}
+
+Branch add_init(CLI::App& parent, CommandWords& words) {
+    CLI::App& app =
+        *parent.add_subcommand("init", "files to begin with: a renderer that is proven, and its gate");
+    add_choice(app, "LANGUAGE", words.init.language, languages)
+        ->default_str("python")
+        ->description("what the renderer is written in; opengl: C++, without a window");
+    add_common(app, words.init.common, "folder for the files");
+    return {&app, [&words] { return command_of(words.init, "cannot begin"); }};
 }
 
 Branch add_list(CLI::App& parent, CommandWords& words) {

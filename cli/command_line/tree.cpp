@@ -43,6 +43,7 @@ CommandTree::CommandTree()
                  add_list(*root_, words_),
                  add_scenes(*root_, words_),
                  add_views(*root_, words_),
+                 add_init(*root_, words_),
                  add_companion(*root_, companions()[0]),
                  add_companion(*root_, companions()[1]),
                  add_completion(*root_, words_),

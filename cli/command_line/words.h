@@ -29,6 +29,7 @@ struct CommandWords {
     GenerateArguments generate;
     RandomScenesArguments random_scenes;
     ViewsArguments views;
+    InitArguments init;
     glm::ivec2 image_size{0, 0};  ///< --width, --height of views
     MergeArguments merge;
     PlanArguments plan;

@@ -50,6 +50,7 @@ const std::map<std::string, Call> calls{
     {"waive prune", {{"--waivers", "w.toml", "--now", "2026-01-21", "-o", "pruned.toml"}}},
     {"waive add", {{}}},  // the pixel is known when there are results
     {"doctor", {{}}},
+    {"init", {{"c++"}}},
     {"list", {{}}},
     {"scenes generate", {{"guard_band"}}},
     {"scenes random", {{"--count", "2"}}},
@@ -151,6 +152,9 @@ class CommonOptionsOnFiles : public testing::Test {
                          {"--waivers", "new-" + std::to_string(++waiver_files_) + ".toml", "--from", "shard",
                           "--scene", "two", "--pixel", pixel_, "--reason", "known", "--link", "a link",
                           "--expires", "2026-04-10", "--now", "2026-01-20"});
+        const bool has_folder = std::ranges::count(more, "-o") > 0;
+        if (path == "init" && !has_folder)
+            words.insert(words.end(), {"-o", "begun"});  // here it sets settings
         words.insert(words.end(), more.begin(), more.end());
         return words;
     }

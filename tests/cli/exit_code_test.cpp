@@ -81,6 +81,8 @@ const std::vector<Case> cases{
      {"views", "colmap", "colmap", "one.gltf", "--near", "0.1", "-o", "v.view.json"},
      0,
      "1 view; eyes"},
+    {"Init", {"init", "-o", "begun"}, 0, "next: cd begun && zproof run"},
+    {"InitWithoutALanguage", {"init", "cobol"}, 2, "cobol"},
     {"Render", {"render", "one.gltf", "--width", "8", "--height", "6"}, 0, "frame-all.exr"},
     {"Explain", {"explain", "one.gltf", "1", "1", "--width", "8", "--height", "6"}, 0, "agree"},
     {"FiltersList", {"filters", "list"}, 0, "nearest"},

@@ -1,0 +1,134 @@
+// OpenGL 3.3 without a window, ids and float32 depths: a renderer by the contract
+// (docs/renderer-contract.md).
+//
+//   g++ -O2 -std=c++17 -o opengl opengl.cpp -lOpenGL -lEGL
+//   zproof contract-check './opengl {scene} {camera} {width} {height} {out}' --precision opengl
+#define GL_GLEXT_PROTOTYPES
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include "zproof_contract.h"
+
+namespace zc = zproof_contract;
+
+constexpr const char* vertex_text = R"(#version 330
+uniform mat4 clip_from_world;
+layout(location = 0) in vec3 p_world;
+void main() { gl_Position = clip_from_world * vec4(p_world, 1); }
+)";
+constexpr const char* fragment_text = R"(#version 330
+layout(location = 0) out uint id;
+void main() { id = uint(gl_PrimitiveID); }
+)";
+
+void require(bool is_so, const char* what) {
+    if (!is_so) throw std::runtime_error(std::string("OpenGL: ") + what);
+}
+
+void make_context() {
+    const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
+    require(eglInitialize(display, nullptr, nullptr) != 0, "no EGL display without a surface");
+    require(eglBindAPI(EGL_OPENGL_API) != 0, "EGL has no OpenGL here");
+    const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_NONE};
+    const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
+    require(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) != 0,
+            "no context of version 3.3");
+}
+
+GLuint shader(GLenum kind, const char* text, GLuint program) {
+    const GLuint made = glCreateShader(kind);
+    glShaderSource(made, 1, &text, nullptr);
+    glCompileShader(made);
+    glAttachShader(program, made);
+    return made;
+}
+
+GLuint renderbuffer(GLenum attachment, GLenum format, const zc::Camera& camera) {
+    GLuint made = 0;
+    glGenRenderbuffers(1, &made);
+    glBindRenderbuffer(GL_RENDERBUFFER, made);
+    glRenderbufferStorage(GL_RENDERBUFFER, format, camera.width, camera.height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, made);
+    return made;
+}
+
+/// By columns, in float32: the product is rounded once.
+std::vector<float> clip_from_world(const zc::Camera& camera) {
+    std::vector<float> matrix;
+    for (std::size_t column = 0; column < 4; ++column)
+        for (std::size_t row = 0; row < 4; ++row) {
+            double sum = 0;
+            for (std::size_t k = 0; k < 4; ++k)
+                sum += camera.clip_from_camera[row][k] * camera.camera_from_world[k][column];
+            matrix.push_back(float(sum));
+        }
+    return matrix;
+}
+
+void draw(const std::vector<zc::Triangle>& triangles, const zc::Camera& camera) {
+    std::vector<float> p_world;
+    for (const zc::Triangle& triangle : triangles)
+        for (const zc::Vec3& corner : triangle)
+            for (const double x : {corner.x, corner.y, corner.z}) p_world.push_back(float(x));
+    GLuint array = 0, buffer = 0;
+    glGenVertexArrays(1, &array);
+    glBindVertexArray(array);
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(p_world.size() * sizeof(float)), p_world.data(), GL_STATIC_DRAW);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glEnableVertexAttribArray(0);
+
+    const GLuint program = glCreateProgram();
+    shader(GL_VERTEX_SHADER, vertex_text, program);
+    shader(GL_FRAGMENT_SHADER, fragment_text, program);
+    glLinkProgram(program);
+    glUseProgram(program);
+    glUniformMatrix4fv(glGetUniformLocation(program, "clip_from_world"), 1, GL_FALSE,
+                       clip_from_world(camera).data());
+    glViewport(0, 0, camera.width, camera.height);
+    glEnable(GL_DEPTH_TEST);
+    const GLuint nothing[4] = {zc::background, 0, 0, 0};
+    glClearBufferuiv(GL_COLOR, 0, nothing);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(3 * triangles.size()));
+}
+
+/// The camera depth of a window z in [0, 1]: both clip coordinates that it came from are affine in camera z.
+double depth_of(double window_z, const zc::Camera& camera) {
+    const double ndc = 2 * window_z - 1;
+    const auto &z = camera.clip_from_camera[2], &w = camera.clip_from_camera[3];
+    return (z[3] - ndc * w[3]) / (z[2] - ndc * w[2]);
+}
+
+zc::Frame render(const std::vector<zc::Triangle>& triangles, const zc::Camera& camera) {
+    make_context();
+    GLuint framebuffer = 0;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    renderbuffer(GL_COLOR_ATTACHMENT0, GL_R32UI, camera);
+    renderbuffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, camera);
+    require(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE,
+            "no framebuffer of R32UI and 32F");
+    draw(triangles, camera);
+
+    const std::size_t pixels = std::size_t(camera.width) * std::size_t(camera.height);
+    std::vector<std::uint32_t> ids(pixels);
+    std::vector<float> window_z(pixels);
+    glReadPixels(0, 0, camera.width, camera.height, GL_RED_INTEGER, GL_UNSIGNED_INT, ids.data());
+    glReadPixels(0, 0, camera.width, camera.height, GL_DEPTH_COMPONENT, GL_FLOAT, window_z.data());
+    require(glGetError() == GL_NO_ERROR, "an error while drawing");
+
+    zc::Frame frame(camera.width, camera.height);
+    for (int y = 0; y < camera.height; ++y)
+        for (int x = 0; x < camera.width; ++x) {
+            const std::size_t at =
+                std::size_t(camera.height - 1 - y) * std::size_t(camera.width) + std::size_t(x);
+            if (ids[at] != zc::background) frame.set(x, y, ids[at], depth_of(window_z[at], camera));
+        }
+    return frame;
+}
+
+int main(int argc, char** argv) { return zc::run(argc, argv, render); }
