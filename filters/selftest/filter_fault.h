@@ -9,6 +9,12 @@
 
 namespace zproof::selftest {
 
+using texture::Footprint;
+
+/// The method, told another footprint than the pixel's; `size` is the texture's, texels.
+using Distortion = std::function<Footprint(Footprint, const glm::dvec2& size)>;
+texture::Method distorted(const texture::Method& method, const Distortion& distortion);
+
 struct FilterFault {
     std::string name;      ///< letters, digits and '_'
     std::string sentence;  ///< what is wrong, for people

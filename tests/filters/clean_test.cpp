@@ -8,7 +8,7 @@
 #include "filters/methods/catalogue.h"
 #include "filters/reference/admissible_surfaces.h"
 #include "filters/selftest/filter_fault.h"
-#include "filters/selftest/filter_variants.h"
+#include "filters/stored/mip_chain.h"
 #include "math/interval_functions.h"
 
 namespace zproof::selftest {
@@ -119,16 +119,23 @@ TEST(TapPlacement, OnThePictureIsHeldToItsBits) {
     EXPECT_GT(outside(9), 0u);
 }
 
-/// A chain made of stored codes instead of light: right for a picture that promises it, wrong for one that
-/// promises zproof's own.
+/// A chain of the texels' codes instead of light: means of square roots, squared.
+std::vector<texture::LinearImage> levels_averaged_as_codes(const Image& of) {
+    texture::LinearImage image = texture::linear_image({of.width, of.height, of.texels});
+    for (glm::vec4& texel : image.texels) texel = glm::sqrt(texel);
+    std::vector<texture::LinearImage> levels = texture::mip_chain(image, texture::MipKernel::box, {});
+    levels.erase(levels.begin());
+    for (texture::LinearImage& level : levels)
+        for (glm::vec4& texel : level.texels) texel *= texel;
+    return levels;
+}
+
+/// Such a chain is right for a picture that promises it, wrong for one that promises zproof's own.
 TEST(LevelsOfAUser, AreWhatAPictureIsHeldTo) {
     const FilterFixture fixture = filter_fixture(Ground::noise);
-    const Image& image = fixture.scene.images.front();
-    std::vector<texture::LinearImage> levels =
-        averaged_as_stored(texture::linear_image({image.width, image.height, image.texels}));
-    levels.erase(levels.begin());
-    const texture::FilterOptions options{
-        .given_levels = std::make_shared<const std::vector<texture::LinearImage>>(levels)};
+    const texture::FilterOptions options{.given_levels =
+                                             std::make_shared<const std::vector<texture::LinearImage>>(
+                                                 levels_averaged_as_codes(fixture.scene.images.front()))};
     for (const char* name : {"trilinear-gl", "aniso-midpoint", "ewa-pbrt", "stochastic-interleaved"}) {
         const Picture picture =
             rasterizer::filtered(fixture.scene, fixture.view, fixture.frame,

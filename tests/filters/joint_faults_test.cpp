@@ -29,7 +29,6 @@ const std::map<std::string, std::string> within_promise{
     {"place_in_256ths", "2^-9 of a texel at most"},
     {"coordinate_in_float32", "2^-24 of a coordinate, of which 2^-22 is promised"},
     {"lod_a_256th_off", "2^-8 of a level is promised"},
-    {"blend_of_8_bits", "2^-9 at most"},
     {"nearest_instead_of_drawn",
      "its variance is 6.3 standard deviations off, and 7.6 are within chance here"},
     {"sat_in_float32", "sums of 24 bits are promised"}};

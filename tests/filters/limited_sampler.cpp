@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "filters/selftest/filter_variants.h"
 #include "filters/stored/mip_chain.h"
 
 namespace zproof {
@@ -17,6 +16,16 @@ glm::dvec2 size_of(const LinearImage& image) { return {image.width, image.height
 
 std::vector<LinearImage> chain(const LinearImage& image, const FilterOptions& o) {
     return texture::mip_chain(image, o.mip_kernel, o.addressing);
+}
+
+using Colour = std::function<glm::dvec4(const Footprint&)>;
+
+texture::Method made_of(const std::function<Colour(const LinearImage&, const FilterOptions&)>& colour_of) {
+    return {.name = "limited",
+            .card = {},
+            .prepare = [colour_of](const LinearImage& image, const FilterOptions& options) {
+                return texture::Sampler{.colour = colour_of(image, options), .taps = {}, .stored = {}};
+            }};
 }
 
 /// 11 significant bits; of texels that are no denormals.
@@ -73,7 +82,7 @@ double Lattice::operator()(double x) const {
 }
 
 texture::Method limited_trilinear(const LimitedTrilinear& parts) {
-    return selftest::made_of([parts](const LinearImage& image, const FilterOptions& o) -> selftest::Colour {
+    return made_of([parts](const LinearImage& image, const FilterOptions& o) -> Colour {
         return [levels = chain_with_halves(image, o, parts.half_levels_from), parts, o](const Footprint& f) {
             const glm::dvec2 size = size_of(levels[0]);
             glm::dvec2 place = f.centre + parts.place_error;
@@ -129,7 +138,7 @@ glm::dvec4 read_ellipse(const LinearImage& level, const FilterOptions& o, const 
 }  // namespace
 
 texture::Method limited_ellipse(const LimitedEllipse& parts) {
-    return selftest::made_of([parts](const LinearImage& image, const FilterOptions& o) -> selftest::Colour {
+    return made_of([parts](const LinearImage& image, const FilterOptions& o) -> Colour {
         return [levels = chain(image, o), parts, o](const Footprint& f) {
             glm::dvec2 longer = f.per_x, shorter = f.per_y;
             if (glm::length(longer) < glm::length(shorter)) std::swap(longer, shorter);

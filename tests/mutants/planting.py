@@ -1,6 +1,7 @@
 """What the programs that plant defects have in common: catalogues of them, the words that compile and link, and
 sections of a page."""
 import collections
+import functools
 import json
 import pathlib
 import re
@@ -11,7 +12,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 
-Mutant = collections.namedtuple("Mutant", "area sentence name file find put survives mode cause symptom")
+Mutant = collections.namedtuple("Mutant", "area sentence name file find put survives mode cause symptom admitted")
 
 
 class Refusal(Exception):
@@ -19,12 +20,13 @@ class Refusal(Exception):
 
 
 def mutant_of(area, lines):
-    """`survives` says why nothing can catch it; empty where something should. `mode`: of the plain renderer. `cause`: how
-    the diagnosis's right name begins; empty where no hypothesis describes it. `symptom`: how a name begins that is true
-    of the frame, and does not say why."""
+    """`survives` says why nothing can catch it; empty where something should. `mode`: of the plain renderer, or
+    the filter that is judged. `cause`: how the diagnosis's right name begins; empty where no hypothesis describes it.
+    `symptom`: how a name begins that is true of the frame, and does not say why. `admitted`: why a promise of less
+    precision admits it."""
     fields = {key: value.strip() for key, value in (line.split(":", 1) for line in lines[1:])}
     return Mutant(area, lines[0], fields["name"], fields["file"], fields["find"], fields["put"],
-                  fields.get("survives", ""), fields.get("mode", ""), fields.get("cause", ""), fields.get("symptom", ""))
+                  *(fields.get(key, "") for key in Mutant._fields[6:]))
 
 
 def read_catalogue(name):
@@ -141,6 +143,43 @@ def compile_source(words, folder, header, source, made, what, build, level="-O1"
     headers = ["-include", str(header)] if header else []
     call([*words[:at], f"-I{folder}", *words[at:], "-w", level, *headers, "-o", str(made), "-c", str(source)], what,
          build)
+
+
+@functools.lru_cache(maxsize=None)
+def headers_of(file):
+    """What of ours a source or header includes."""
+    included = re.findall(r'^#include "([^"]+)"', (ROOT / file).read_text(), re.MULTILINE)
+    return frozenset(header for header in included if (ROOT / header).is_file())
+
+
+@functools.lru_cache(maxsize=None)
+def sees(source, file):
+    return source == file or any(sees(header, file) for header in headers_of(source))
+
+
+def compile_mutant(mutant, folder, commands, build, header=None):
+    """Objects of all that sees the defect."""
+    write_if_changed(folder / mutant.file, planted_text(mutant))
+    objects = []
+    for number, (words, sources) in enumerate(commands):
+        if not any(sees(source, mutant.file) for source in sources):
+            continue
+        whole, made = folder / f"unit{number}.cpp", folder / f"unit{number}.o"
+        whole.write_text("".join(f'#include "{(folder if source == mutant.file else ROOT) / source}"\n'
+                                 for source in sources))
+        compile_source(words, folder, header, whole, made, f"{mutant.name} does not compile", build)
+        objects.append(str(made))
+    return objects
+
+
+def link(target, objects, folder, build):
+    """What the objects define, the linker takes neither from the program nor from its libraries."""
+    words = link_words(build, target)
+    at = next(i for i, word in enumerate(words) if word.endswith(".o"))
+    program = folder / pathlib.Path(target).name
+    words[words.index("-o") + 1] = str(program)
+    call([*words[:at], *objects, *words[at:]], f"{folder.name} does not link", build)
+    return program
 
 
 # Of docs/detection-tables.md.

@@ -166,9 +166,9 @@ def rewritten(text, mutant, moved):
     return "\n\n".join([f"{head}\nname: {mutant.name}\n{block}", *others])
 
 
-def rebase(name, folder):
-    """Looks below this folder and prints what it changes. 3 where a text has no certain place."""
-    listed = git("ls-files", "--cached", "--others", "--exclude-standard", folder).splitlines()
+def rebase(name, *folders):
+    """Looks below these folders and prints what it changes. 3 where a text has no certain place."""
+    listed = git("ls-files", "--cached", "--others", "--exclude-standard", *folders).splitlines()
     texts = {file: (ROOT / file).read_text() for file in sorted(listed)
              if file.endswith((".h", ".cpp", ".inl")) and (ROOT / file).is_file()}
     status = 0
