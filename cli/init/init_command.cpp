@@ -103,6 +103,8 @@ bool holds(const fs::path& file, const std::string& text) {
 
 /// What somebody has written is never replaced.
 void refuse_what_is_there(const fs::path& folder, const std::vector<NewFile>& files) {
+    if (fs::exists(folder) && !fs::is_directory(folder))
+        throw UsageError{folder.string() + ": is no folder; expected one after -o, there or new"};
     for (const NewFile& file : files)
         if (const fs::path path = folder / file.name;
             fs::exists(fs::symlink_status(path)) && !holds(path, file.text))

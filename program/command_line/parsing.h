@@ -29,6 +29,6 @@ Command chosen(const std::vector<Branch>& branches, const std::string& example);
 
 /// "; did you mean 'run'?" where the first unexpected word of the command line that `root` just failed to
 /// parse is nearly a command or an option of the command that was typed, else "".
-std::string misspelling_in(const CLI::App& root);
+std::string misspelling_in(CLI::App& root);
 
 }  // namespace zproof

@@ -34,6 +34,9 @@ TEST(InitTwice, LeavesWhatIsThereAndReplacesNothing) {
     const Folder folder;
     EXPECT_EQ(run(folder, {"init"}).exit_code, 0);
     EXPECT_EQ(run(folder, {"init"}).exit_code, 0) << "the same files are there";
+    const Ran onto_a_file = run(folder, {"init", "-o", "zbuffer.py"});
+    EXPECT_EQ(onto_a_file.exit_code, 2);
+    EXPECT_THAT(onto_a_file.err, HasSubstr("zbuffer.py: is no folder"));
     folder.write("zproof.toml", "renderer = \"mine\"\n");
     std::filesystem::remove(folder.path() / "zbuffer.py");
     const Ran again = run(folder, {"init"});
