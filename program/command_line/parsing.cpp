@@ -29,6 +29,14 @@ std::vector<std::string> known_to(const CLI::App& app) {
     return words;
 }
 
+/// "; did you mean 'run'?" where the first unexpected word of the command line that `root` just failed to
+/// parse is nearly a command or an option of the command that was typed, else "".
+std::string misspelling_in(CLI::App& root) {
+    const std::vector<std::string> unknown = root.remaining(true);
+    if (unknown.empty()) return "";
+    return did_you_mean(unknown.front().substr(0, unknown.front().find('=')), known_to(leaf_of(root)));
+}
+
 }  // namespace
 
 CLI::App& leaf_of(CLI::App& app) {
@@ -67,12 +75,6 @@ Command chosen(const std::vector<Branch>& branches, const std::string& example) 
 ExitCode execute(const Answered& answered) {
     std::cout << answered.text;
     return ExitCode::proven;
-}
-
-std::string misspelling_in(CLI::App& root) {
-    const std::vector<std::string> unknown = root.remaining(true);
-    if (unknown.empty()) return "";
-    return did_you_mean(unknown.front().substr(0, unknown.front().find('=')), known_to(leaf_of(root)));
 }
 
 }  // namespace zproof

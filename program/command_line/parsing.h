@@ -27,8 +27,4 @@ void take_settings(CLI::App& root, const SettingsChoice& choice, const Environme
 /// The command of the branch that was parsed. Throws UsageError, with the example, where none was.
 Command chosen(const std::vector<Branch>& branches, const std::string& example);
 
-/// "; did you mean 'run'?" where the first unexpected word of the command line that `root` just failed to
-/// parse is nearly a command or an option of the command that was typed, else "".
-std::string misspelling_in(CLI::App& root);
-
 }  // namespace zproof
