@@ -19,6 +19,9 @@
 namespace zproof {
 namespace {
 
+/// A run of more scenes leaves pictures of those alone that leave evidence: nobody looks at so many.
+constexpr std::size_t most_shown_scenes = 1000;
+
 /// What an earlier run into this folder found; nothing where there was none, or one of another version.
 Results earlier_results(const std::filesystem::path& folder) {
     try {
@@ -86,6 +89,7 @@ ExitCode judge_and_report(const RunRequest& request) {
                                gate,
                                report.pictures,
                                report.evidence,
+                               sources.size() <= most_shown_scenes,
                                settings.samples,
                                views,
                                report.typed,

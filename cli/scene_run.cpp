@@ -92,8 +92,9 @@ struct JudgedPair {
     const Verdict& verdict;
 };
 
-/// Asks the oracles, and counts where everybody names the same triangle.
-std::vector<OracleAnswer> ask_oracles(const ViewRun& view_run, const JudgedPair& judged, ViewResult& result) {
+/// Asks the oracles, and counts where everybody names the same triangle. Are their frames and pictures kept?
+std::vector<OracleAnswer> ask_oracles(const ViewRun& view_run, const JudgedPair& judged, bool is_kept,
+                                      ViewResult& result) {
     const Frame &candidate = judged.candidate.frame, &reference = judged.reference.frame;
     std::vector<OracleAnswer> answers;
     for (const OpenedOracle& oracle : view_run.opened.oracles) {
@@ -102,7 +103,6 @@ std::vector<OracleAnswer> ask_oracles(const ViewRun& view_run, const JudgedPair&
         answers.push_back(ask_oracle(oracle, view_run.context, view_run.place, judged.reference));
     }
     const std::filesystem::path folder = view_run.config.run_folder / result.folder;
-    const bool is_kept = !result.folder.empty();
     if (is_kept && view_run.config.pictures == PictureMode::shaded)
         paint({view_run.context, candidate, judged.verdict.classes, folder}, view_run.opened.oracles,
               answers);
@@ -196,18 +196,23 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
     result.diagnosis = std::move(diagnosis);
     result.notes.insert(result.notes.end(), remarks.begin(), remarks.end());
 
-    if (leaves_evidence(verdict, config.evidence)) {
+    const bool is_whole = leaves_evidence(verdict, config.evidence);
+    if (is_whole || config.shows_every_view) {
         begin(view_run, "write", &StageTimes::write);
         result.folder = "scenes/" + config.names.next(source.name, shown_name(view));
-        write_view_evidence(config.run_folder / result.folder, candidate.frame, reference, verdict);
+        const std::filesystem::path folder = config.run_folder / result.folder;
+        write_view_summary(folder, picture_of(context, candidate.frame, verdict.classes), verdict);
+        if (is_whole) write_view_evidence(folder, candidate.frame, reference, verdict);
     }
 
     clock.begin(&StageTimes::oracles);
-    const std::vector<OracleAnswer> answers = ask_oracles(view_run, {ours, theirs, verdict}, result);
+    const std::vector<OracleAnswer> answers =
+        ask_oracles(view_run, {ours, theirs, verdict}, is_whole, result);
 
     if (result.folder.empty()) return result;
     begin(view_run, "write", &StageTimes::write);
-    write_viewer_evidence(config.run_folder / result.folder, {context, ours, theirs, verdict, answers});
+    const auto write_for_viewer = is_whole ? write_viewer_evidence : write_viewer_summary;
+    write_for_viewer(config.run_folder / result.folder, {context, ours, theirs, verdict, answers});
     return result;
 }
 

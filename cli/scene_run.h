@@ -34,6 +34,7 @@ struct RunConfig {
     const Gate& gate;
     PictureMode pictures;
     Evidence evidence;
+    bool shows_every_view;               ///< does a view without evidence leave what the page shows of it?
     const std::vector<Sample>& samples;  ///< of every view
     ViewChoice views{};
     const std::string& command;                         ///< as typed

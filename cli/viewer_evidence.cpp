@@ -124,6 +124,21 @@ std::vector<PixelCoord> telling_pixels(const Verdict& verdict, std::size_t most)
     return places;
 }
 
+void write_viewer_summary(const std::filesystem::path& folder, const JudgedView& judged) {
+    const auto& [context, candidate, reference, verdict, answers] = judged;
+    planes::write_view_planes(folder,
+                              {.facts = facts_of(context),
+                               .candidate = {name_of(context.renderers.candidate), candidate.frame, {}},
+                               .reference = {name_of(context.renderers.reference), reference.frame, {}},
+                               .oracles = {},
+                               .verdict = verdict,
+                               .candidate_error = {},
+                               .reference_error = {},
+                               .ranges = ranges_of(context.scene),
+                               .stories = {}},
+                              planes::PlanesDetail::differences);
+}
+
 void write_viewer_evidence(const std::filesystem::path& folder, const JudgedView& judged) {
     const auto& [context, candidate, reference, verdict, answers] = judged;
     planes::ViewPlanes shown{.facts = facts_of(context),

@@ -22,6 +22,9 @@ struct JudgedView {
 /// from the pictures that lie there. Throws ReportError where it cannot be written.
 void write_viewer_evidence(const std::filesystem::path& folder, const JudgedView& judged);
 
+/// The same of what differs alone: no planes of ids, depths and errors, no stories.
+void write_viewer_summary(const std::filesystem::path& folder, const JudgedView& judged);
+
 /// The pixels whose stories are told: of every pair of triangles that some class arises between the worst
 /// one, severest class first, then the worst of all, `most` in all; in raster order.
 std::vector<PixelCoord> telling_pixels(const Verdict& verdict, std::size_t most);

@@ -14,20 +14,21 @@ namespace {
 
 using namespace image_io;
 
-std::vector<unsigned char> png_of(const Raster& raster, const std::string& place) {
+std::vector<unsigned char> encoded(const Raster& raster, const std::string& place) {
     refuse_bad_size({raster.width, raster.height}, place);
     const ModuleTable& images = module();
     try {
         return images.encode(raster);
     } catch (const std::runtime_error& e) {
-        throw FrameError(place + ": cannot be written as PNG: " + e.what());
+        throw FrameError(place + ": cannot be written as an image: " + e.what());
     }
 }
 
 std::vector<Channel> rgb_of(Sample sample) { return {{"R", sample}, {"G", sample}, {"B", sample}}; }
 
-Raster raster_of(Resolution size, std::vector<Channel> channels, Light light, const void* pixels) {
-    return {.format = Format::png,
+Raster raster_of(Resolution size, std::vector<Channel> channels, Light light, const void* pixels,
+                 Format format = Format::png) {
+    return {.format = format,
             .light = light,
             .width = size.width,
             .height = size.height,
@@ -35,10 +36,11 @@ Raster raster_of(Resolution size, std::vector<Channel> channels, Light light, co
             .pixels = pixels};
 }
 
-std::vector<unsigned char> png_of(const Plane<Rgb8>& picture, const std::string& place) {
+std::vector<unsigned char> encoded(const Plane<Rgb8>& picture, Format format, const std::string& place) {
     static_assert(sizeof(Rgb8) == 3, "pixels are written as packed RGB");
-    return png_of(raster_of(picture.size(), rgb_of(Sample::uint8), Light::srgb, picture.pixels().data()),
-                  place);
+    return encoded(
+        raster_of(picture.size(), rgb_of(Sample::uint8), Light::srgb, picture.pixels().data(), format),
+        place);
 }
 
 std::vector<std::byte> bytes_of(const std::vector<unsigned char>& png) {
@@ -68,12 +70,17 @@ int source_of(int component, int channels) {
 }  // namespace
 
 void write_png(const std::filesystem::path& file, const Plane<Rgb8>& picture) {
-    const std::vector<unsigned char> png = png_of(picture, file.string());
+    const std::vector<unsigned char> png = encoded(picture, Format::png, file.string());
     write_whole_file(file, std::as_bytes(std::span{png}));
 }
 
+void write_webp(const std::filesystem::path& file, const Plane<Rgb8>& picture) {
+    const std::vector<unsigned char> webp = encoded(picture, Format::webp, file.string());
+    write_whole_file(file, std::as_bytes(std::span{webp}));
+}
+
 std::vector<std::byte> encode_png(const Plane<Rgb8>& picture) {
-    return bytes_of(png_of(picture, "PNG in memory"));
+    return bytes_of(encoded(picture, Format::png, "PNG in memory"));
 }
 
 std::vector<std::byte> encode_png(Resolution size, std::span<const std::uint8_t> rgba) {
@@ -83,13 +90,13 @@ std::vector<std::byte> encode_png(Resolution size, std::span<const std::uint8_t>
                          std::to_string(size.width) + " x " + std::to_string(size.height));
     std::vector<Channel> channels = rgb_of(Sample::uint8);
     channels.push_back({"A", Sample::uint8});
-    return bytes_of(png_of(raster_of(size, std::move(channels), Light::srgb, rgba.data()), "PNG in memory"));
+    return bytes_of(encoded(raster_of(size, std::move(channels), Light::srgb, rgba.data()), "PNG in memory"));
 }
 
 std::vector<std::byte> encode_png(const Plane<Rgb16>& picture) {
     return bytes_of(
-        png_of(raster_of(picture.size(), rgb_of(Sample::uint16), Light::linear, picture.pixels().data()),
-               "PNG in memory"));
+        encoded(raster_of(picture.size(), rgb_of(Sample::uint16), Light::linear, picture.pixels().data()),
+                "PNG in memory"));
 }
 
 namespace {

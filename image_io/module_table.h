@@ -12,7 +12,7 @@
 
 namespace zproof::image_io {
 
-enum class Format { unknown, exr, tiff, png, jpeg, pfm, dds, npy };
+enum class Format { unknown, exr, tiff, png, jpeg, webp, pfm, dds, npy };
 
 /// Type of a sample as it lies in the file; `other` is none that zproof reads.
 enum class Sample { uint8, uint16, uint32, half, float32, int32, int64, float64, other };

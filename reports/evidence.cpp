@@ -35,9 +35,14 @@ void write_findings_file(const fs::path& file, const Verdict& verdict) {
 
 }  // namespace
 
+void write_view_summary(const fs::path& folder, const Plane<Rgb8>& picture, const Verdict& verdict) {
+    make_folder(folder);
+    write_webp(folder / "view.webp", picture);
+    write_findings_file(folder / "findings.csv", verdict);
+}
+
 void write_view_evidence(const fs::path& folder, const Frame& candidate, const Frame& reference,
                          const Verdict& verdict) {
-    make_folder(folder);
     const Plane<PixelClass>& classes = verdict.classes;
     tbb::parallel_invoke(
         [&] { write_frame(folder / "candidate.exr", candidate); },
@@ -46,8 +51,7 @@ void write_view_evidence(const fs::path& folder, const Frame& candidate, const F
         [&] { write_pictures(folder, "reference-id", picture_of_ids(reference.primitive)); },
         [&] { write_pictures(folder, "depth", picture_of_depths(candidate.camera_depth)); },
         [&] { write_png(folder / "class.png", picture_of_classes(classes)); },
-        [&] { write_png(folder / "class-small.png", picture_of_classes(small_class_map(classes))); },
-        [&] { write_findings_file(folder / "findings.csv", verdict); });
+        [&] { write_png(folder / "class-small.png", picture_of_classes(small_class_map(classes))); });
 }
 
 void write_oracle_frame(const fs::path& folder, const std::string& oracle, const Frame& frame) {

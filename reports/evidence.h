@@ -11,11 +11,16 @@
 
 namespace zproof {
 
-/// Writes into folder (made where absent):
+/// What every view leaves, into folder (made where absent): view.webp (reports/view_picture.h), and
+/// findings.csv with every pixel that is not `agree`. Throws ReportError or FrameError where a file cannot be
+/// written.
+void write_view_summary(const std::filesystem::path& folder, const Plane<Rgb8>& picture,
+                        const Verdict& verdict);
+
+/// Writes beside them:
 /// candidate.exr, reference.exr                      both frames, bit for bit
 /// id.png, reference-id.png, depth.png, class.png    pictures, full size
 /// *-small.png of the four                           the same for pages, see reports/pictures.h
-/// findings.csv                                      every pixel that is not `agree`
 /// on the threads of the surrounding tbb::task_arena. Throws ReportError or FrameError where a file cannot be
 /// written.
 void write_view_evidence(const std::filesystem::path& folder, const Frame& candidate, const Frame& reference,

@@ -130,14 +130,16 @@ std::vector<Block> made(const std::vector<Recipe>& recipes) {
 
 }  // namespace
 
-Container container_of(const ViewPlanes& v) {
+Container container_of(const ViewPlanes& v, PlanesDetail detail) {
     const auto width = std::size_t(v.candidate.frame.size().width);
     const Frame& ours = v.candidate.frame;
-    std::vector<Recipe> recipes{
-        [&] { return class_block(v.verdict.classes); }, [&] { return findings_block(v.verdict, int(width)); },
-        [&] { return json_block("stories", to_json(v.stories)); },
-        [&] { return json_block("ranges", to_json(v.ranges)); },
-        [&] { return predicted("candidate.id", ours.primitive.pixels(), width, Prediction::left); }};
+    std::vector<Recipe> recipes{[&] { return class_block(v.verdict.classes); },
+                                [&] { return findings_block(v.verdict, int(width)); },
+                                [&] { return json_block("stories", to_json(v.stories)); },
+                                [&] { return json_block("ranges", to_json(v.ranges)); }};
+    if (detail == PlanesDetail::differences) return {header_of(v), made(recipes)};
+    recipes.push_back(
+        [&] { return predicted("candidate.id", ours.primitive.pixels(), width, Prediction::left); });
     add_ids(recipes, "reference", v.reference, v.candidate);
     recipes.push_back([&] { return error_block("candidate.error", v.candidate_error); });
     recipes.push_back([&] { return error_block("reference.error", v.reference_error); });
@@ -151,8 +153,8 @@ Container container_of(const ViewPlanes& v) {
     return {header_of(v), made(recipes)};
 }
 
-void write_view_planes(const std::filesystem::path& folder, const ViewPlanes& planes) {
-    write(folder / "planes.zvp", container_of(planes));
+void write_view_planes(const std::filesystem::path& folder, const ViewPlanes& planes, PlanesDetail detail) {
+    write(folder / "planes.zvp", container_of(planes, detail));
 }
 
 }  // namespace zproof::planes

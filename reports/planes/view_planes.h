@@ -57,11 +57,18 @@ struct ViewPlanes {
 /// The most findings that are listed one by one, defects first; the class map always has all.
 inline constexpr std::size_t most_findings = 20'000;
 
+/// How much of a view is kept.
+enum class PlanesDetail {
+    differences,  ///< classes, findings, stories, names: a few kilobytes where little differs
+    all,
+};
+
 /// Blocks in order of need: classes, findings, stories, names; ids; errors; depths; oracles; colours. Every
 /// plane's block has the CRC-32 of what it decodes to. On the threads of the surrounding tbb::task_arena.
-Container container_of(const ViewPlanes& planes);
+Container container_of(const ViewPlanes& planes, PlanesDetail detail = PlanesDetail::all);
 
 /// container_of() as folder/planes.zvp. Throws FrameError where it cannot be written.
-void write_view_planes(const std::filesystem::path& folder, const ViewPlanes& planes);
+void write_view_planes(const std::filesystem::path& folder, const ViewPlanes& planes,
+                       PlanesDetail detail = PlanesDetail::all);
 
 }  // namespace zproof::planes

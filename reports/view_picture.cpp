@@ -1,0 +1,113 @@
+#include "reports/view_picture.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "reports/class_colour.h"
+#include "reports/pictures.h"
+
+namespace zproof {
+
+namespace {
+
+/// A ring around a mark, pixels of the picture from its centre. Defects have the broader one.
+struct Ring {
+    double inner = 4, outer;
+};
+constexpr Ring admissible_ring{.outer = 5}, defect_ring{.outer = 6};
+
+/// The middle of a quarter of a pixel of the picture, in pixels of the view.
+int middle_of_quarter(int picture, int quarter, int view_side, int picture_side) {
+    return int((picture + 0.25 + 0.5 * quarter) * view_side / picture_side);
+}
+
+LinearRgb mean_at(const ColourAt& colour_at, int x, int y, Resolution view, Resolution picture) {
+    LinearRgb sum{};
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        const LinearRgb c = colour_at(middle_of_quarter(x, quarter % 2, view.width, picture.width),
+                                      middle_of_quarter(y, quarter / 2, view.height, picture.height));
+        sum = {sum.r + c.r / 4, sum.g + c.g / 4, sum.b + c.b / 4};
+    }
+    return sum;
+}
+
+/// The severest class of the view's pixels that each pixel of the picture holds.
+Plane<PixelClass> marks_of(const Plane<PixelClass>& classes, Resolution picture) {
+    Plane<PixelClass> marks(picture, PixelClass::agree);
+    const Resolution view = classes.size();
+    for (int y = 0; y < view.height; ++y) {
+        const std::span<const PixelClass> row = classes.row(y);
+        for (int x = 0; x < view.width; ++x)
+            if (row[std::size_t(x)] != PixelClass::agree) {
+                PixelClass& mark = marks.at(x * picture.width / view.width, y * picture.height / view.height);
+                mark = std::max(mark, row[std::size_t(x)]);
+            }
+    }
+    return marks;
+}
+
+/// Calls visit(x, y, squared distance) for the pixels of the picture that lie within the radius.
+template <class Visit>
+void for_each_near(int x, int y, double radius, Resolution size, Visit visit) {
+    const int reach = int(radius);
+    for (int j = std::max(0, y - reach); j <= std::min(size.height - 1, y + reach); ++j)
+        for (int i = std::max(0, x - reach); i <= std::min(size.width - 1, x + reach); ++i)
+            if (const int square = (i - x) * (i - x) + (j - y) * (j - y); square <= radius * radius)
+                visit(i, j, square);
+}
+
+/// The class that is seen at each pixel, of rings and of what they enclose.
+struct Outline {
+    Plane<PixelClass> ring;
+    Plane<std::uint8_t> enclosed;
+
+    Outline(const Plane<PixelClass>& marks, Ring shape, bool admissible)
+        : ring(marks.size(), PixelClass::agree), enclosed(marks.size()) {
+        for (int y = 0; y < marks.size().height; ++y)
+            for (int x = 0; x < marks.size().width; ++x)
+                if (const PixelClass c = marks.at(x, y); c != PixelClass::agree && passes(c) == admissible)
+                    for_each_near(x, y, shape.outer, marks.size(), [&](int i, int j, int square) {
+                        ring.at(i, j) = std::max(ring.at(i, j), c);
+                        if (square <= shape.inner * shape.inner) enclosed.at(i, j) = 1;
+                    });
+    }
+};
+
+void draw(const Outline& outline, Plane<Rgb8>& picture) {
+    for (std::size_t i = 0; i < picture.pixels().size(); ++i)
+        if (const PixelClass c = outline.ring.pixels()[i];
+            c != PixelClass::agree && outline.enclosed.pixels()[i] == 0)
+            picture.pixels()[i] = colour_of(c);
+}
+
+void draw_defects(const Plane<PixelClass>& marks, Plane<Rgb8>& picture) {
+    for (std::size_t i = 0; i < picture.pixels().size(); ++i)
+        if (const PixelClass c = marks.pixels()[i]; !passes(c)) picture.pixels()[i] = colour_of(c);
+}
+
+}  // namespace
+
+Resolution view_picture_size(Resolution view) {
+    const int side = std::max(view.width, view.height);
+    if (const int enlarged = view_picture_side / side; enlarged >= 1)
+        return {view.width * enlarged, view.height * enlarged};
+    const auto shrunk = [&](int length) { return std::max(1, length * view_picture_side / side); };
+    return {shrunk(view.width), shrunk(view.height)};
+}
+
+Plane<Rgb8> view_picture(const Plane<PixelClass>& classes, const ColourAt& colour_at) {
+    const Resolution size = view_picture_size(classes.size());
+    Picture light(size);
+    tbb::parallel_for(0, size.height, [&](int y) {
+        for (int x = 0; x < size.width; ++x) light.at(x, y) = mean_at(colour_at, x, y, classes.size(), size);
+    });
+    Plane<Rgb8> picture = picture_of_light(light);
+    const Plane<PixelClass> marks = marks_of(classes, size);
+    draw(Outline(marks, admissible_ring, true), picture);
+    draw_defects(marks, picture);
+    draw(Outline(marks, defect_ring, false), picture);
+    return picture;
+}
+
+}  // namespace zproof
