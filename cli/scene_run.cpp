@@ -201,8 +201,14 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
         begin(view_run, "write", &StageTimes::write);
         result.folder = "scenes/" + config.names.next(source.name, shown_name(view));
         const std::filesystem::path folder = config.run_folder / result.folder;
-        write_view_summary(folder, picture_of(context, candidate.frame, verdict.classes), verdict);
-        if (is_whole) write_view_evidence(folder, candidate.frame, reference, verdict);
+        const auto picture = [&](PictureSize size) {
+            return picture_of(context, candidate.frame, verdict.classes, size);
+        };
+        write_view_summary(folder, picture(card_picture), verdict);
+        if (is_whole) {
+            write_view_evidence(folder, candidate.frame, reference, verdict);
+            write_large_picture(folder, picture(large_picture));
+        }
     }
 
     clock.begin(&StageTimes::oracles);

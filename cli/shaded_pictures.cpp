@@ -6,7 +6,6 @@
 #include "oracle/oracle_error.h"
 #include "rasterizer/shader.h"
 #include "reports/evidence.h"
-#include "reports/view_picture.h"
 
 namespace zproof {
 namespace {
@@ -38,13 +37,15 @@ void paint_oracle(const PaintContext& paint_context, const Picture& ours, const 
 
 }  // namespace
 
-Plane<Rgb8> picture_of(const ViewContext& context, const Frame& candidate, const Plane<PixelClass>& classes) {
+Plane<Rgb8> picture_of(const ViewContext& context, const Frame& candidate, const Plane<PixelClass>& classes,
+                       PictureSize size) {
     const Light light{};
     const rasterizer::Shader shader(context.scene, context.view, light);
-    return view_picture(classes, [&](int x, int y) {
+    const auto colour_at = [&](int x, int y) {
         const PrimitiveId id = candidate.primitive.at(x, y);
         return std::size_t(id) < context.scene.triangles.size() ? shader.colour_at(x, y, id) : LinearRgb{};
-    });
+    };
+    return view_picture(classes, colour_at, size);
 }
 
 void paint(const PaintContext& paint_context, const std::vector<OpenedOracle>& oracles,

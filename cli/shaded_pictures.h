@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/oracle_answers.h"
+#include "reports/view_picture.h"
 
 namespace zproof {
 
@@ -16,9 +17,10 @@ struct PaintContext {
     std::filesystem::path folder;  ///< the view's evidence
 };
 
-/// The view as its card on the page shows it (reports/view_picture.h): what the candidate saw, shaded by
-/// zproof with one light; black where it names no triangle of the scene.
-Plane<Rgb8> picture_of(const ViewContext& context, const Frame& candidate, const Plane<PixelClass>& classes);
+/// What the candidate saw (reports/view_picture.h), shaded by zproof with one light; black where it names no
+/// triangle of the scene.
+Plane<Rgb8> picture_of(const ViewContext& context, const Frame& candidate, const Plane<PixelClass>& classes,
+                       PictureSize size);
 
 /// Writes colour.exr and .png, and for every oracle that was compared and can paint ORACLE-colour and
 /// ORACLE-difference; how far its picture lies from the candidate's goes into its result, by the severer of

@@ -54,6 +54,10 @@ void write_view_evidence(const fs::path& folder, const Frame& candidate, const F
         [&] { write_png(folder / "class-small.png", picture_of_classes(small_class_map(classes))); });
 }
 
+void write_large_picture(const fs::path& folder, const Plane<Rgb8>& picture) {
+    write_webp(folder / "view-large.webp", picture);
+}
+
 void write_oracle_frame(const fs::path& folder, const std::string& oracle, const Frame& frame) {
     write_frame(folder / (oracle + ".exr"), frame);
 }

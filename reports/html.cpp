@@ -77,7 +77,7 @@ std::string legend_rows(const std::string& heading, std::initializer_list<GateEf
 }
 
 std::string legend() {
-    return "<section class=\"legend\">\n<h2>How to read this</h2>\n"
+    return "<section class=\"legend\">\n<details><summary><h2>How to read this</h2></summary>\n"
            "<p>At every pixel centre the renderer under test, the <em>candidate</em>, and an independent "
            "<em>reference</em> name the triangle that they see and its depth. A pixel is a defect when no "
            "faultless "
@@ -88,7 +88,7 @@ std::string legend() {
            legend_rows("Admissible", {GateEffect::pass}) + legend_rows("Neither", {GateEffect::undecided}) +
            "</div><div>" + legend_rows("Defects", {GateEffect::fail, GateEffect::fail_always}) +
            "<p class=\"fine\">Depth error / bound: how much of the permitted depth error was used up. Near 0 "
-           "the bound is loose, above 1 something is wrong.</p></div></div>\n</section>\n";
+           "the bound is loose, above 1 something is wrong.</p></div></div>\n</details></section>\n";
 }
 
 std::string head(const Results& results) {
@@ -167,24 +167,30 @@ Page html_page(const Results& results, const std::filesystem::path& run_folder, 
     const std::span<PageView> in_markup{views.data(), std::min(views.size(), views_in_markup)};
     const std::string script = script_element(viewer_script());
     std::string begin = head(results) + "<body>\n<header>\n<h1>" + escaped(headline(results)) + "</h1>\n" +
-                        provenance(results) + "</header>\n<main>\n" + html_summary(in_markup);
-    std::string middle = links_to(studies) + html_renderers(results) + legend(),
-                end = studies_of(studies) + "</main>\n";
-    PageRoom room{budget, begin.size() + middle.size() + end.size() + script.size() + room_for_remarks +
+                        html_answer(results) + "</header>\n<main>\n";
+    const std::string table = html_summary(in_markup);
+    std::string middle = html_renderers(results) + legend() + links_to(studies),
+                end = studies_of(studies) + provenance(results) + "</main>\n";
+    PageRoom room{budget, begin.size() + table.size() + middle.size() + end.size() + script.size() +
+                              room_for_remarks + html_cards(in_markup).size() +
                               sections_of(in_markup).size()};
     PackedViews facts = packed_facts(views, room.half());
     room.take(facts.bytes);
     PackedViews sections = packed_sections(std::span{views}.subspan(in_markup.size()), room.half());
     room.take(sections.bytes);
     room.take(take_pictures(in_markup, run_folder, std::min(room.half(), picture_budget(budget))));
-    middle += sections_of(in_markup);
+    PackedViews pictures =
+        packed_pictures(std::span{views}.subspan(in_markup.size()), run_folder, room.half());
+    room.take(pictures.bytes);
+    begin += html_cards(in_markup) + table;
+    middle = sections_of(in_markup) + middle;
     PagePlanes planes = page_planes(views, run_folder, room.left());
 
     Page page;
     std::string remark = remark_on_length(views.size(), facts.views, in_markup.size() + sections.views);
     for (std::string* text : {&begin, &remark, &planes.omissions, &middle, &end})
         page.emplace_back(std::move(*text));
-    for (PackedViews* packed : {&facts, &sections})
+    for (PackedViews* packed : {&facts, &pictures, &sections})
         std::ranges::move(packed->elements, std::back_inserter(page));
     std::ranges::move(planes.elements, std::back_inserter(page));
     page.emplace_back(script + "</body>\n</html>\n");

@@ -101,6 +101,16 @@ PackedViews packed_facts(std::span<const PageView> views, std::size_t budget) {
     return packed(views, {"facts", facts_in_pack, facts_of_all}, budget);
 }
 
+PackedViews packed_pictures(std::span<const PageView> views, const std::filesystem::path& run_folder,
+                            std::size_t budget) {
+    const auto pictures = [&](std::span<const PageView> some) {
+        json all = json::array();
+        for (const PageView& view : some) all.push_back(card_picture_of(*view.view, run_folder));
+        return all.dump();
+    };
+    return packed(views, {"pictures", sections_in_pack, pictures}, budget);
+}
+
 PackedViews packed_sections(std::span<const PageView> views, std::size_t budget) {
     return packed(views, {"sections", sections_in_pack, sections_of_all}, budget);
 }

@@ -16,9 +16,11 @@ namespace zproof {
 /// The style sheet: light and dark by the reader's preference, and for print.
 std::string_view html_style();
 
-/// One of a view's small pictures.
+/// One of a view's pictures.
 struct PagePicture {
-    std::string name;       ///< "class": its files are class.png and class-small.png
+    std::string name;       ///< "class"
+    std::string file;       ///< in the view's folder, that a click opens: "class.png"
+    std::string shown;      ///< in the view's folder, that the page holds: "class-small.png"
     std::string caption;    ///< one sentence
     std::string data;       ///< data URI; empty where the picture is absent
     bool left_out = false;  ///< there is a picture, but it is not in the page
@@ -27,7 +29,8 @@ struct PagePicture {
 /// A view and what its section shows of it.
 struct PageView {
     const ViewResult* view = nullptr;
-    std::string anchor;  ///< fragment of its section
+    std::string anchor;   ///< fragment of its section
+    std::string picture;  ///< data URI of its view.webp; empty where there is none, or no room
     std::vector<PagePicture> pictures;
     bool has_planes = false;  ///< is there a planes.zvp?
 };
@@ -39,9 +42,22 @@ inline constexpr std::size_t views_in_markup = 200;
 /// The views, failed first, and what evidence run_folder has of them; their pictures are left out as yet.
 std::vector<PageView> page_views(const Results& results, const std::filesystem::path& run_folder);
 
-/// Reads pictures as far as the budget (bytes as text) goes; returns what they take of it.
+/// Reads pictures as far as the budget (bytes as text) goes, first the one of each view's card; returns what
+/// they take of it.
 std::size_t take_pictures(std::span<PageView> views, const std::filesystem::path& run_folder,
                           std::size_t budget);
+
+/// The picture of a view's card as a data URI; empty where there is none.
+std::string card_picture_of(const ViewResult& view, const std::filesystem::path& run_folder);
+
+/// The run's likely cause in words, and the command to begin with; empty where nothing failed.
+std::string html_answer(const Results& results);
+
+/// A picture of every view, with its name and what was found; each leads to the view's section.
+std::string html_cards(std::span<const PageView> views);
+
+/// What was found, in a few words: classes and cause, or why it was not judged.
+std::string card_remark(const ViewResult& view);
 
 enum class Zeros { plain, quiet };
 
@@ -70,6 +86,11 @@ struct PackedViews {
 /// "facts-1" ... with a JSON array of arrays each, whose values are named by fact_names().
 PackedViews packed_facts(std::span<const PageView> views, std::size_t budget);
 std::vector<std::string> fact_names();
+
+/// The pictures of views' cards, as many as the budget allows: elements "pictures-0", "pictures-1" ... with a
+/// JSON array of sections_in_pack data URIs each, empty where there is none.
+PackedViews packed_pictures(std::span<const PageView> views, const std::filesystem::path& run_folder,
+                            std::size_t budget);
 
 /// The sections of views, as many as the budget allows: elements "sections-0", "sections-1" ... with
 /// sections_in_pack of them each.

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include "reports/html_parts.h"
 #include "reports/renderer_record.h"
 #include "reports/wording.h"
@@ -5,6 +8,8 @@
 namespace zproof {
 
 namespace {
+
+using nlohmann::json;
 
 std::string number_cell(const std::string& text) { return "<td class=\"n\">" + text + "</td>"; }
 
@@ -26,11 +31,36 @@ std::string breakable(const std::string& json_text) {
     return text;
 }
 
+/// The name of a key or of a value, in words: "depth buffer".
+std::string spaced(std::string name) {
+    std::ranges::replace(name, '_', ' ');
+    return name;
+}
+
+/// A declared precision in one line: "raster; transform float64, subpixel bits 8, watertight". What is 0 or
+/// not the case is left out.
+std::string promise_in_words(const std::string& precision) {
+    const json declared = json::parse(precision, nullptr, false);
+    if (!declared.is_object()) return "";
+    std::string kind, text;
+    for (const auto& [key, value] : declared.items()) {
+        if (value == false || value == 0 || value == 1 || value.is_structured()) continue;
+        std::string said = value.is_string() ? spaced(value.get<std::string>()) : value.dump();
+        if (key == "kind")
+            kind = std::move(said);
+        else
+            text += (text.empty() ? "" : ", ") + spaced(key) + (value == true ? "" : " " + said);
+    }
+    return kind + (text.empty() ? "" : "; " + text);
+}
+
 std::string facts_of(const Results& results, const RendererRecord& r) {
     for (const RendererFacts& facts : results.renderers)
         if (facts.name == r.name)
-            return escaped(facts.version) + (facts.version.empty() ? "" : "<br>") + "<code>" +
-                   escaped(breakable(facts.precision)) + "</code><br>" + escaped(ids_in_words(facts));
+            return escaped(facts.version) + (facts.version.empty() ? "" : "<br>") +
+                   escaped(ids_in_words(facts)) + "<details><summary>" +
+                   escaped(promise_in_words(facts.precision)) + "</summary><code>" +
+                   escaped(breakable(facts.precision)) + "</code></details>";
     return "";
 }
 

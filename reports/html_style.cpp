@@ -34,6 +34,30 @@ section { border-top: 1px solid var(--line); margin-top: 2.5rem; padding-top: 1.
 .reason { max-width: 48rem; }
 .message { color: var(--defect); }
 .view { color: var(--quiet); font-weight: 400; }
+.cause { font-size: 1.1rem; max-width: 52rem; }
+.cards {
+  display: grid; grid-template-columns: repeat(auto-fill, minmax(13rem, 1fr)); gap: 1rem; margin: 0 0 1.6rem;
+}
+.card {
+  display: flex; flex-direction: column; color: inherit; text-decoration: none; min-width: 0;
+  overflow-wrap: anywhere; border-radius: 4px;
+}
+.card:hover .name { text-decoration: underline; }
+.card img, .card .no-picture {
+  display: block; width: 100%; aspect-ratio: 16 / 9; object-fit: contain; background: #000; border-radius: 3px;
+  margin-bottom: 0.35rem;
+}
+.card .no-picture { background: var(--soft); }
+.card:has(.outcome:not(.proven)) img { box-shadow: 0 0 0 2px var(--defect); }
+.card .name { font-weight: 600; line-height: 1.3; }
+.card .outcome { font-size: 0.86rem; }
+.card .fine { margin: 0; line-height: 1.35; }
+.rings { margin: 1.4rem 0 0.8rem; }
+.rings .class { margin-left: 0.5rem; }
+details > summary { cursor: pointer; }
+details > summary > h2 { display: inline; }
+#sections section:has(> details:not([open])) { margin-top: 0; padding: 0.45rem 0; }
+#sections section:has(> details:not([open])) h2 { font-size: 1rem; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; }
 th {

@@ -78,10 +78,11 @@ std::string html_summary(std::span<const PageView> pages) {
     std::string headings, rows;
     for (const SummaryColumn& column : columns) headings += heading(column);
     for (const PageView& page : pages) rows += summary_row(page, columns);
-    return "<div class=\"wide\"><table class=\"summary sortable\"><thead><tr><th>verdict</th><th>scene, "
+    return "<details id=\"table\"><summary>Every view in numbers</summary>\n<div class=\"wide\"><table "
+           "class=\"summary sortable\"><thead><tr><th>verdict</th><th>scene, "
            "view</th>" +
            headings + "<th class=\"n\">seconds</th></tr></thead><tbody>\n" + rows +
-           "</tbody></table></div>\n";
+           "</tbody></table></div></details>\n";
 }
 
 }  // namespace zproof

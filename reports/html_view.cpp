@@ -37,7 +37,7 @@ std::string facts(const ViewResult& v) {
 
 std::string figure(const ViewResult& v, const PagePicture& picture) {
     if (picture.data.empty() && !picture.left_out) return "";
-    const std::string file = as_url(v.folder + "/" + picture.name + ".png");
+    const std::string file = as_url(v.folder + "/" + picture.file);
     if (picture.left_out)
         return "<figure><p class=\"absent\">Left out to keep this page small.</p><figcaption><a href=\"" +
                file + "\">" + picture.caption + "</a></figcaption></figure>";
@@ -53,6 +53,12 @@ std::string figures(const PageView& page, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < std::min(last, page.pictures.size()); ++i)
         text += figure(*page.view, page.pictures[i]);
     return text;
+}
+
+/// What the candidate saw; of a view without evidence the picture of its card, which a script copies here.
+std::string first_figure(const PageView& page) {
+    const std::string large = figures(page, 0, 1);
+    return large.empty() && !page.view->folder.empty() ? "<figure class=\"of-card\"></figure>" : large;
 }
 
 std::string count_row(PixelClass c, std::uint64_t count, std::uint64_t waived) {
@@ -96,8 +102,8 @@ std::string explanation_row(const Explanation& e, const Diagnosis& d) {
 std::string diagnosis(const ViewResult& v) {
     if (!v.diagnosis) return "";
     const Diagnosis& d = *v.diagnosis;
-    std::string cause = d.cause ? "<ul>" + explanation_row(*d.cause, d) + "</ul>\n"
-                                : "<p>No hypothesis accounts for three quarters of what is wrong.</p>\n";
+    std::string cause =
+        d.cause ? "<ul>" + explanation_row(*d.cause, d) + "</ul>\n" : "<p>" + escaped(in_words(d)) + "</p>\n";
     std::string rest;
     for (const Explanation& e : d.further) rest += explanation_row(e, d);
     if (!rest.empty()) cause += "<p>Of the defects that it leaves:</p>\n<ul>" + rest + "</ul>\n";
@@ -185,17 +191,18 @@ std::string row(std::string_view kind, const std::string& content) {
     return content.empty() ? "" : "<div class=\"" + std::string(kind) + "\">" + content + "</div>\n";
 }
 
-/// A view that left no evidence says so.
-std::string without_evidence(const ViewResult& v) {
-    if (!v.folder.empty()) return "";
-    return paragraph("fine", "Its frames, pictures and findings were not kept; --evidence all keeps them.");
+/// A view that left no frames says so.
+std::string without_evidence(const PageView& page) {
+    const bool has_frames = std::ranges::any_of(
+        page.pictures, [](const PagePicture& picture) { return picture.left_out || !picture.data.empty(); });
+    return has_frames ? "" : paragraph("fine", "Its frames were not kept; --evidence all keeps them.");
 }
 
 std::string judgement(const PageView& page) {
     const ViewResult& v = *page.view;
     if (!was_judged(v)) return "";
-    return row("diagnosis", diagnosis(v)) + without_evidence(v) +
-           row("map", figures(page, 0, 1) + class_table(v)) +
+    return row("diagnosis", diagnosis(v)) + without_evidence(page) +
+           row("map", first_figure(page) + class_table(v)) +
            row("figures", figures(page, 1, page.pictures.size())) + row("panels", histograms(v)) +
            row("panels", html_oracles(v)) + worst_table(v);
 }
@@ -214,10 +221,11 @@ std::string outcome_badge(Outcome outcome) {
 
 std::string html_view(const PageView& page) {
     const ViewResult& v = *page.view;
-    return "<section id=\"" + page.anchor + "\">\n<h2>" + escaped(v.scene) + " <span class=\"view\">" +
-           escaped(v.view) + "</span> " + outcome_badge(v.outcome) + "</h2>\n" +
-           paragraph("reason", v.reason) + paragraph("message", v.message) + facts(v) + notes(v) +
-           judgement(page) + stages(v.times) + "</section>\n";
+    const std::string open = v.outcome == Outcome::proven ? "" : " open";
+    return "<section id=\"" + page.anchor + "\">\n<details" + open + "><summary><h2>" + escaped(v.scene) +
+           " <span class=\"view\">" + escaped(v.view) + "</span> " + outcome_badge(v.outcome) +
+           "</h2></summary>\n" + paragraph("reason", v.reason) + paragraph("message", v.message) + facts(v) +
+           notes(v) + judgement(page) + stages(v.times) + "</details></section>\n";
 }
 
 }  // namespace zproof

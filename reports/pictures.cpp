@@ -114,10 +114,14 @@ Plane<PixelClass> with_dots(const Plane<PixelClass>& classes) {
     return dotted;
 }
 
+bool has_dots(Resolution view) {
+    const Resolution small = shrunk(view, shrink_factor(view));
+    return std::max(small.width, small.height) > undotted_side;
+}
+
 Plane<PixelClass> small_class_map(const Plane<PixelClass>& classes) {
     const Plane<PixelClass> small = pooled_by_severity(classes, shrink_factor(classes.size()));
-    const bool may_shrink = std::max(small.size().width, small.size().height) > undotted_side;
-    return may_shrink ? with_dots(small) : small;
+    return has_dots(classes.size()) ? with_dots(small) : small;
 }
 
 }  // namespace zproof

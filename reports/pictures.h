@@ -52,6 +52,9 @@ Plane<PixelClass> pooled_by_severity(const Plane<PixelClass>& classes, int facto
 /// Every failing pixel grown to 3x3, so that a single one is seen; the severest wins.
 Plane<PixelClass> with_dots(const Plane<PixelClass>& classes);
 
+/// Does small_class_map() dot the map of a view of this size?
+bool has_dots(Resolution view);
+
 /// The class map for a page: pooled to small_side and, where a page may shrink it further, dotted.
 Plane<PixelClass> small_class_map(const Plane<PixelClass>& classes);
 

@@ -17,17 +17,18 @@ struct Ring {
 };
 constexpr Ring admissible_ring{.outer = 5}, defect_ring{.outer = 6};
 
-/// The middle of a quarter of a pixel of the picture, in pixels of the view.
-int middle_of_quarter(int picture, int quarter, int view_side, int picture_side) {
-    return int((picture + 0.25 + 0.5 * quarter) * view_side / picture_side);
+/// The middle of a part of a pixel of the picture, in pixels of the view.
+int middle_of(int pixel, int part, int parts, int view_side, int picture_side) {
+    return int((pixel + (part + 0.5) / parts) * view_side / picture_side);
 }
 
-LinearRgb mean_at(const ColourAt& colour_at, int x, int y, Resolution view, Resolution picture) {
+LinearRgb mean_at(const ColourAt& colour_at, int x, int y, Resolution view, Resolution picture, int side) {
     LinearRgb sum{};
-    for (int quarter = 0; quarter < 4; ++quarter) {
-        const LinearRgb c = colour_at(middle_of_quarter(x, quarter % 2, view.width, picture.width),
-                                      middle_of_quarter(y, quarter / 2, view.height, picture.height));
-        sum = {sum.r + c.r / 4, sum.g + c.g / 4, sum.b + c.b / 4};
+    const auto share = float(side * side);
+    for (int part = 0; part < side * side; ++part) {
+        const LinearRgb c = colour_at(middle_of(x, part % side, side, view.width, picture.width),
+                                      middle_of(y, part / side, side, view.height, picture.height));
+        sum = {sum.r + c.r / share, sum.g + c.g / share, sum.b + c.b / share};
     }
     return sum;
 }
@@ -88,22 +89,23 @@ void draw_defects(const Plane<PixelClass>& marks, Plane<Rgb8>& picture) {
 
 }  // namespace
 
-Resolution view_picture_size(Resolution view) {
-    const int side = std::max(view.width, view.height);
-    if (const int enlarged = view_picture_side / side; enlarged >= 1)
+Resolution resolution_of(PictureSize size, Resolution view) {
+    const int longest = std::max(view.width, view.height);
+    if (const int enlarged = size.longest_side / longest; enlarged >= 1)
         return {view.width * enlarged, view.height * enlarged};
-    const auto shrunk = [&](int length) { return std::max(1, length * view_picture_side / side); };
+    const auto shrunk = [&](int length) { return std::max(1, length * size.longest_side / longest); };
     return {shrunk(view.width), shrunk(view.height)};
 }
 
-Plane<Rgb8> view_picture(const Plane<PixelClass>& classes, const ColourAt& colour_at) {
-    const Resolution size = view_picture_size(classes.size());
-    Picture light(size);
-    tbb::parallel_for(0, size.height, [&](int y) {
-        for (int x = 0; x < size.width; ++x) light.at(x, y) = mean_at(colour_at, x, y, classes.size(), size);
+Plane<Rgb8> view_picture(const Plane<PixelClass>& classes, const ColourAt& colour_at, PictureSize size) {
+    const Resolution view = classes.size(), resolution = resolution_of(size, view);
+    Picture light(resolution);
+    tbb::parallel_for(0, resolution.height, [&](int y) {
+        for (int x = 0; x < resolution.width; ++x)
+            light.at(x, y) = mean_at(colour_at, x, y, view, resolution, size.samples_per_side);
     });
     Plane<Rgb8> picture = picture_of_light(light);
-    const Plane<PixelClass> marks = marks_of(classes, size);
+    const Plane<PixelClass> marks = marks_of(classes, resolution);
     draw(Outline(marks, admissible_ring, true), picture);
     draw_defects(marks, picture);
     draw(Outline(marks, defect_ring, false), picture);

@@ -11,7 +11,7 @@ import type {Run} from './run';
 import {Sections} from './sections';
 import {makeTablesSortable} from './sortable';
 import {linkSection, linkSummary} from './summary';
-import {SummaryTable} from './summary_table';
+import {ViewList} from './view_list';
 import {firstLayers as visibilityLayers, visibilityOf} from './visibility';
 
 void main();
@@ -28,15 +28,13 @@ async function main(): Promise<void> {
         linkSummary(study.views, 'N', 'the worst pixel');
         start(new App(study.views, studyLayers, (stage) => filterStudyOf(study, stage)));
     }
-    if (run) turnPages(run);
+    if (run) listViews(run);
     document.documentElement.dataset.ready = '';  // for whoever drives the page
 }
 
-/// A run that the page cannot show at once.
-function turnPages(run: Run): void {
+function listViews(run: Run): void {
     const table = document.querySelector<HTMLTableElement>('table.summary.sortable');
-    if (!table || run.views.length <= run.inMarkup) return;
-    new SummaryTable(table, run, new Sections(run, (section, view) => {
+    if (table) new ViewList(table, run, new Sections(run, (section, view) => {
         makeTablesSortable(section);
         linkSection(section, view);
     }));

@@ -1,0 +1,89 @@
+// The answer, and the views as pictures.
+#include <algorithm>
+
+#include "reports/html_parts.h"
+#include "reports/run_causes.h"
+#include "reports/wording.h"
+
+namespace zproof {
+
+namespace {
+
+/// The first failed view's worst pixel: where a reader goes on.
+std::string next_step(const Results& results) {
+    for (const ViewResult* view : failed_first(results))
+        if (view->outcome == Outcome::defective && !view->worst.empty())
+            return "<p>Begin with <code>" + escaped(view->worst.front().command) + "</code></p>\n";
+    return "";
+}
+
+std::string other_causes(const std::vector<RunCause>& causes) {
+    std::string items;
+    for (std::size_t i = 1; i < causes.size(); ++i)
+        items += (items.empty() ? "" : "; ") + escaped(causes[i].name) + " (" +
+                 counted(causes[i].views, "view") + ")";
+    return items.empty() ? "" : "<p class=\"fine\">Of others: " + items + ".</p>\n";
+}
+
+/// "9 edge, 2 depth_tie": the pixels that are not `agree`.
+std::string differences(const ViewResult& v) {
+    std::string text;
+    for (std::size_t i = 1; i < v.counts.size(); ++i)
+        if (v.counts[i] > 0)
+            text +=
+                (text.empty() ? "" : ", ") + grouped(v.counts[i]) + " " + std::string(name_of(PixelClass(i)));
+    return text.empty() ? "no difference" : text;
+}
+
+std::string card_picture(const PageView& page) {
+    if (page.picture.empty()) return "<span class=\"no-picture\"></span>";
+    return "<img alt=\"\" src=\"" + page.picture + "\">";
+}
+
+std::string card(const PageView& page) {
+    const ViewResult& v = *page.view;
+    return "<a class=\"card\" href=\"#" + page.anchor + "\">" + card_picture(page) + "<span class=\"name\">" +
+           escaped(v.scene) + " <span class=\"view\">" + escaped(v.view) + "</span></span>" +
+           outcome_badge(v.outcome) + "<span class=\"fine\">" + escaped(card_remark(v)) + "</span></a>\n";
+}
+
+/// What the rings of the run's pictures mean.
+std::string ring_legend(std::span<const PageView> pages) {
+    ClassCounts all{};
+    for (const PageView& page : pages)
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] += page.view->counts[i];
+    std::string badges;
+    for (std::size_t i = 1; i < all.size(); ++i)
+        if (all[i] > 0) badges += " " + class_badge(PixelClass(i));
+    return "<p class=\"fine rings\">What the renderer saw, shaded by zproof" +
+           (badges.empty() ? "."
+                           : ". A ring surrounds pixels that differ; its colour is their class:" + badges) +
+           "</p>\n";
+}
+
+}  // namespace
+
+std::string card_remark(const ViewResult& v) {
+    if (!was_judged(v)) return one_line(v.message);
+    const std::string cause =
+        v.diagnosis && v.diagnosis->cause ? ": " + one_line(v.diagnosis->cause->name) : "";
+    return differences(v) + cause;
+}
+
+std::string html_answer(const Results& results) {
+    const auto failed = std::uint64_t(
+        std::ranges::count_if(results.views, [](const ViewResult& v) { return defect_count(v) > 0; }));
+    const std::vector<RunCause> causes = run_causes(results);
+    const std::string words = in_words(causes, failed);
+    return (words.empty() ? "" : "<p class=\"cause\">" + escaped(words) + "</p>\n") + other_causes(causes) +
+           next_step(results);
+}
+
+std::string html_cards(std::span<const PageView> pages) {
+    if (pages.empty()) return "";
+    std::string cards;
+    for (const PageView& page : pages) cards += card(page);
+    return ring_legend(pages) + "<div id=\"cards\" class=\"cards\">\n" + cards + "</div>\n";
+}
+
+}  // namespace zproof

@@ -1,0 +1,34 @@
+#include "reports/run_causes.h"
+
+#include <algorithm>
+
+#include "reports/wording.h"
+
+namespace zproof {
+
+std::vector<RunCause> run_causes(const Results& results) {
+    std::vector<RunCause> causes;
+    for (const ViewResult& view : results.views) {
+        if (!view.diagnosis || !view.diagnosis->cause) continue;
+        const Explanation& cause = *view.diagnosis->cause;
+        auto known = std::ranges::find(causes, cause.name, &RunCause::name);
+        if (known == causes.end()) known = causes.insert(known, {cause.name, cause.look_at});
+        ++known->views;
+    }
+    std::ranges::stable_sort(causes, std::greater{}, &RunCause::views);
+    return causes;
+}
+
+std::string in_words(const std::vector<RunCause>& causes, std::uint64_t failed_views) {
+    if (failed_views == 0) return "";
+    if (causes.empty()) return "No cause is certain.";
+    const RunCause& first = causes.front();
+    const std::string of =
+        first.views == failed_views
+            ? (failed_views == 1 ? "Likely cause"
+                                 : "Likely cause of all " + counted(failed_views, "failed view"))
+            : "Likely cause of " + grouped(first.views) + " of " + counted(failed_views, "failed view");
+    return of + ": " + first.name + "." + (first.look_at.empty() ? "" : " " + first.look_at);
+}
+
+}  // namespace zproof
