@@ -16,6 +16,7 @@ namespace zproof {
 
 namespace {
 
+constexpr std::size_t unfolded_views = 3;  // of those that are not proven
 constexpr std::size_t room_for_remarks =
     10'000;  // on what is left out, and what it tells the viewer of classes
 
@@ -141,7 +142,10 @@ std::string remark_on_length(std::size_t views, std::size_t listed, std::size_t 
 
 std::string sections_of(std::span<const PageView> views) {
     std::string text = "<div id=\"sections\">\n";
-    for (const PageView& view : views) text += html_view(view);
+    for (std::size_t i = 0; i < views.size(); ++i)
+        text += html_view(views[i], i < unfolded_views && views[i].view->outcome != Outcome::proven
+                                        ? Folded::no
+                                        : Folded::yes);
     return text + "</div>\n";
 }
 

@@ -25,11 +25,12 @@ std::string other_causes(const std::vector<RunCause>& causes) {
     return items.empty() ? "" : "<p class=\"fine\">Of others: " + items + ".</p>\n";
 }
 
-/// "9 edge, 2 depth_tie": the pixels that are not `agree`.
+/// "9 edge, 2 depth_tie": the pixels that are not `agree`; of a view with defects, those alone.
 std::string differences(const ViewResult& v) {
+    const bool fails = defect_count(v) > 0;
     std::string text;
     for (std::size_t i = 1; i < v.counts.size(); ++i)
-        if (v.counts[i] > 0)
+        if (v.counts[i] > 0 && (!fails || is_defect(PixelClass(i))))
             text +=
                 (text.empty() ? "" : ", ") + grouped(v.counts[i]) + " " + std::string(name_of(PixelClass(i)));
     return text.empty() ? "no difference" : text;
@@ -40,11 +41,18 @@ std::string card_picture(const PageView& page) {
     return "<img alt=\"\" src=\"" + page.picture + "\">";
 }
 
+std::string likely_cause(const ViewResult& v) {
+    if (!v.diagnosis || !v.diagnosis->cause) return "";
+    return "<span>" + escaped(one_line(v.diagnosis->cause->name)) + "</span>";
+}
+
 std::string card(const PageView& page) {
     const ViewResult& v = *page.view;
     return "<a class=\"card\" href=\"#" + page.anchor + "\">" + card_picture(page) + "<span class=\"name\">" +
            escaped(v.scene) + " <span class=\"view\">" + escaped(v.view) + "</span></span>" +
-           outcome_badge(v.outcome) + "<span class=\"fine\">" + escaped(card_remark(v)) + "</span></a>\n";
+           outcome_badge(v.outcome) + "<span class=\"fine\">" +
+           (was_judged(v) ? differences(v) : escaped(one_line(v.message))) + "</span>" + likely_cause(v) +
+           "</a>\n";
 }
 
 /// What the rings of the run's pictures mean.
@@ -62,13 +70,6 @@ std::string ring_legend(std::span<const PageView> pages) {
 }
 
 }  // namespace
-
-std::string card_remark(const ViewResult& v) {
-    if (!was_judged(v)) return one_line(v.message);
-    const std::string cause =
-        v.diagnosis && v.diagnosis->cause ? ": " + one_line(v.diagnosis->cause->name) : "";
-    return differences(v) + cause;
-}
 
 std::string html_answer(const Results& results) {
     const auto failed = std::uint64_t(

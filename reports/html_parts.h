@@ -56,9 +56,6 @@ std::string html_answer(const Results& results);
 /// A picture of every view, with its name and what was found; each leads to the view's section.
 std::string html_cards(std::span<const PageView> views);
 
-/// What was found, in a few words: classes and cause, or why it was not judged.
-std::string card_remark(const ViewResult& view);
-
 enum class Zeros { plain, quiet };
 
 /// A column of the summary behind verdict and name.
@@ -106,8 +103,9 @@ struct PagePlanes {
 PagePlanes page_planes(std::span<const PageView> views, const std::filesystem::path& run_folder,
                        std::size_t budget);
 
-/// The section of one view.
-std::string html_view(const PageView& page);
+/// The section of one view; of most it is folded.
+enum class Folded { yes, no };
+std::string html_view(const PageView& page, Folded folded = Folded::yes);
 
 /// The matrix of renderers; empty where nothing was judged.
 std::string html_renderers(const Results& results);

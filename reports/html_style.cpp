@@ -38,6 +38,7 @@ section { border-top: 1px solid var(--line); margin-top: 2.5rem; padding-top: 1.
 .cards {
   display: grid; grid-template-columns: repeat(auto-fill, minmax(13rem, 1fr)); gap: 1rem; margin: 0 0 1.6rem;
 }
+.cards[hidden] { display: none; }
 .card {
   display: flex; flex-direction: column; color: inherit; text-decoration: none; min-width: 0;
   overflow-wrap: anywhere; border-radius: 4px;
@@ -137,6 +138,7 @@ svg .over { fill: var(--defect); }
 @media (max-width: 700px) {
   body { padding: 1.2rem 1rem 3rem; }
   .columns, .map { grid-template-columns: 1fr; }
+  .cards { grid-template-columns: repeat(auto-fill, minmax(9rem, 1fr)); gap: 0.7rem; }
 }
 @media print {
   :root {

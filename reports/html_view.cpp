@@ -103,7 +103,9 @@ std::string diagnosis(const ViewResult& v) {
     if (!v.diagnosis) return "";
     const Diagnosis& d = *v.diagnosis;
     std::string cause =
-        d.cause ? "<ul>" + explanation_row(*d.cause, d) + "</ul>\n" : "<p>" + escaped(in_words(d)) + "</p>\n";
+        d.cause
+            ? "<ul>" + explanation_row(*d.cause, d) + "</ul>\n"
+            : "<p>No hypothesis explains enough of the defects with nothing that speaks against it.</p>\n";
     std::string rest;
     for (const Explanation& e : d.further) rest += explanation_row(e, d);
     if (!rest.empty()) cause += "<p>Of the defects that it leaves:</p>\n<ul>" + rest + "</ul>\n";
@@ -219,9 +221,9 @@ std::string outcome_badge(Outcome outcome) {
            " " + std::string(in_words(outcome)) + "</span>";
 }
 
-std::string html_view(const PageView& page) {
+std::string html_view(const PageView& page, Folded folded) {
     const ViewResult& v = *page.view;
-    const std::string open = v.outcome == Outcome::proven ? "" : " open";
+    const std::string open = folded == Folded::yes ? "" : " open";
     return "<section id=\"" + page.anchor + "\">\n<details" + open + "><summary><h2>" + escaped(v.scene) +
            " <span class=\"view\">" + escaped(v.view) + "</span> " + outcome_badge(v.outcome) +
            "</h2></summary>\n" + paragraph("reason", v.reason) + paragraph("message", v.message) + facts(v) +

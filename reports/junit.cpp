@@ -96,7 +96,7 @@ std::string waiver_note(const ViewResult& v) {
 
 std::string system_out(const ViewResult& v) {
     std::string text = waiver_note(v);
-    if (!v.folder.empty()) text += "[[ATTACHMENT|" + one_line(v.folder) + "/class.png]]";
+    if (!v.folder.empty()) text += "[[ATTACHMENT|" + one_line(v.folder) + "/view.webp]]";
     return text.empty() ? "" : "      <system-out>" + escaped(text) + "</system-out>\n";
 }
 

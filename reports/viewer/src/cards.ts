@@ -3,7 +3,7 @@
 import {element, replaceChildren} from './element';
 import {grouped} from './numbers';
 import {Packs} from './packs';
-import {outcomeInWords, outcomeMarks} from './run';
+import {defects, outcomeInWords, outcomeMarks} from './run';
 import type {JudgedView, Run} from './run';
 
 export class Cards {
@@ -29,12 +29,14 @@ export class Cards {
             picture ? element('img', {src: picture, alt: ''}) : element('span', {class: 'no-picture'}),
             element('span', {class: 'name'}, view.scene + ' ', element('span', {class: 'view'}, view.view)),
             element('span', {class: 'outcome ' + view.outcome}, `${outcomeMarks[view.outcome]} ${outcomeInWords(view)}`),
-            element('span', {class: 'fine'}, this.remark(view)));
+            element('span', {class: 'fine'}, view.row ? this.differences(view) : view.message), view.cause && element('span', {}, view.cause));
     }
 
-    private remark(view: JudgedView): string {
-        if (!view.row) return view.message;
-        const found = this.run.classes.flatMap((style, i) => i > 0 && view.counts[i] > 0 ? [`${grouped(view.counts[i])} ${style.name}`] : []);
-        return (found.join(', ') || 'no difference') + (view.cause ? ': ' + view.cause : '');
+    /// Of a view with defects, those alone.
+    private differences(view: JudgedView): string {
+        const {classes} = this.run, fails = defects(view, classes) > 0;
+        const found = classes.flatMap((style, i) =>
+            i > 0 && view.counts[i] > 0 && !(fails && style.passes) ? [`${grouped(view.counts[i])} ${style.name}`] : []);
+        return found.join(', ') || 'no difference';
     }
 }

@@ -40,7 +40,7 @@ export class ViewFilter {
         const lists = Object.entries(offered(run)) as [keyof Choice, string[]][];
         this.controls = [
             this.input('search', element('input', {type: 'search', placeholder: 'Search scene, view, verdict, class, file'})),
-            ...lists.filter(([, values]) => values.length > 1).map(([key, values]) => this.list(key, ['', ...values])),
+            ...lists.filter(([key, values]) => values.length > (key === 'cause' ? 0 : 1)).map(([key, values]) => this.list(key, ['', ...values])),
             this.list('sort', [...orders]), this.list('show', ['pictures', 'table'])];
         this.tell();
     }
