@@ -141,7 +141,7 @@ def test_a_report_has_every_verdict(tmp_path):
                                        ("picture_test.test_bad", "defective")]
     page = (tmp_path / "out/report.html").read_text()
     assert "picture_test.test_good" in page and "picture_test.test_bad" in page
-    assert (tmp_path / "out/picture_test.test_bad/scenes/picture_test.test_bad-view/class.png").exists()
+    assert (tmp_path / "out/picture_test.test_bad/scenes/picture_test.test_bad-view/view.webp").exists()
     assert len(list(xml.parse(tmp_path / "out/junit.xml").iter("testcase"))) == 2
 
 

@@ -53,7 +53,7 @@ TEST(Evidence, CsvHoldsEveryFinding) {
 TEST(Evidence, FramesComeBackBitForBit) {
     const TestFolder run;
     const SampleView sample = sample_view();
-    write_view_evidence(run.path() / "scenes/a", sample.candidate, sample.reference, sample.verdict);
+    write_sample_evidence(run.path() / "scenes/a");
     const Frame candidate = read_frame(run.path() / "scenes/a/candidate.exr");
     const Frame reference = read_frame(run.path() / "scenes/a/reference.exr");
     EXPECT_TRUE(std::ranges::equal(candidate.primitive.pixels(), sample.candidate.primitive.pixels()));
@@ -63,8 +63,9 @@ TEST(Evidence, FramesComeBackBitForBit) {
 
 TEST(Evidence, IsComplete) {
     const TestFolder run;
-    const SampleView sample = sample_view();
-    write_view_evidence(run.path(), sample.candidate, sample.reference, sample.verdict);
+    write_sample_evidence(run.path());
+    for (const std::string name : {"view.webp", "view-large.webp"})
+        EXPECT_EQ(content_of(run.path() / name).substr(8, 4), "WEBP") << name;
     for (const std::string name : {"id", "reference-id", "depth", "class"})
         for (const std::string kind : {".png", "-small.png"})
             EXPECT_TRUE(content_of(run.path() / (name + kind)).starts_with("\x89PNG")) << name << kind;
@@ -124,9 +125,8 @@ TEST(Evidence, CsvNumbersReadBackToTheSameBits) {
 TEST(Evidence, AFolderThatCannotBeMadeIsNamed) {
     const TestFolder run;
     std::ofstream(run.path() / "taken") << "a file";
-    const SampleView sample = sample_view();
     try {
-        write_view_evidence(run.path() / "taken/scene", sample.candidate, sample.reference, sample.verdict);
+        write_view_summary(run.path() / "taken/scene", Plane<Rgb8>({4, 4}), sample_view().verdict);
         FAIL() << "no error";
     } catch (const ReportError& e) {
         EXPECT_NE(std::string(e.what()).find("taken/scene"), std::string::npos) << e.what();

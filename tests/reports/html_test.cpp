@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "reports/base64.h"
-#include "reports/evidence.h"
 #include "reports/html_parts.h"
 #include "reports/page_scripts.h"
 #include "reports/planes/container.h"
@@ -46,9 +45,7 @@ TEST(Html, SetsStudiesBehindTheViewsAndNamesThemOnTop) {
 
 TEST(Html, HoldsOneScriptThatItsPolicyAdmitsAndNoAddress) {
     const TestFolder run;
-    const SampleView sample = sample_view();
-    write_view_evidence(run.path() / "scenes/room-corner", sample.candidate, sample.reference,
-                        sample.verdict);
+    write_sample_evidence(run.path() / "scenes/room-corner");
     const std::string page = to_html(sample_results(), run.path());
     EXPECT_EQ(occurrences(page, "<script>"), 1u);
     EXPECT_EQ(occurrences(page, "<script>") + occurrences(page, "<script type=\"application/"),
@@ -60,8 +57,9 @@ TEST(Html, HoldsOneScriptThatItsPolicyAdmitsAndNoAddress) {
     EXPECT_EQ(occurrences(page, "http"), 1u) << "http-equiv of the policy only";
     EXPECT_EQ(occurrences(page, "content=\"" + content_policy(viewer_script()) + "\""), 1u);
     EXPECT_EQ(occurrences(page, "default-src 'none'; script-src 'sha256-"), 1u);
-    EXPECT_EQ(occurrences(page, "<img"), 4u);
+    EXPECT_EQ(occurrences(page, "<img"), 6u);
     EXPECT_EQ(occurrences(page, "src=\"data:image/png;base64,iVBORw0KGgo"), 4u);
+    EXPECT_EQ(occurrences(page, "src=\"data:image/webp;base64,UklGR"), 2u) << "of its card, and large";
 }
 
 TEST(Html, ANameCannotBreakOut) {
@@ -97,10 +95,32 @@ TEST(Html, SaysTheVerdictInWords) {
 
 TEST(Html, TellsTheWorstPixels) {
     const std::string page = page_without_pictures();
-    EXPECT_EQ(occurrences(page, "<code>zproof explain room 812 344</code>"), 1u);
+    EXPECT_EQ(occurrences(page, "<code>zproof explain room 812 344</code>"), 2u) << "on top as well";
     EXPECT_EQ(occurrences(page, "Worst pixels"), 1u);
     EXPECT_EQ(occurrences(page, "title=\"0x3dcccccd\">0.1<"), 1u);
     EXPECT_EQ(occurrences(page, "3 lines were skipped."), 1u);
+}
+
+TEST(Html, BeginsWithTheAnswerAndACardOfEachView) {
+    const std::string page = page_without_pictures();
+    const std::size_t cause = page.find("<p class=\"cause\">"), cards = page.find("<div id=\"cards\""),
+                      table = page.find("<details id=\"table\">"),
+                      sections = page.find("<div id=\"sections\">");
+    EXPECT_LT(cause, cards);
+    EXPECT_LT(cards, table);
+    EXPECT_LT(table, sections);
+    EXPECT_EQ(occurrences(page, "<a class=\"card\""), sample_results().views.size());
+    EXPECT_EQ(occurrences(page.substr(cards, table - cards), "not_judged"), 1u);
+}
+
+TEST(Html, FoldsAllButTheFirstFailedSections) {
+    Results results = sample_results();
+    const ViewResult failed = results.views[1];
+    ASSERT_EQ(failed.outcome, Outcome::defective);
+    for (int i = 0; i < 4; ++i) results.views.push_back(failed);
+    const std::string page = to_html(results, "/nowhere");
+    EXPECT_EQ(occurrences(page, "<details open>"), 3u);
+    EXPECT_EQ(occurrences(page, "<details><summary><h2>"), results.views.size() - 3 + 1) << "and the legend";
 }
 
 TEST(Html, ShowsDepthsAndEdgesOfBothAgainstTheirBounds) {

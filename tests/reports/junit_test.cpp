@@ -63,7 +63,7 @@ TEST(JUnit, ADefectIsAFailureOfItsClass) {
     EXPECT_NE(failure.data().find("zproof explain room 812 344"), std::string::npos);
     EXPECT_NE(failure.data().find("likely cause: a row is <lost> (explains 100% of 2 defects)"),
               std::string::npos);
-    EXPECT_EQ(cases[1].get<std::string>("system-out"), "[[ATTACHMENT|scenes/room-corner/class.png]]");
+    EXPECT_EQ(cases[1].get<std::string>("system-out"), "[[ATTACHMENT|scenes/room-corner/view.webp]]");
 }
 
 TEST(JUnit, NothingJudgedIsAFailureAndUnreadableAnError) {

@@ -1,5 +1,8 @@
 #include "tests/reports/sample.h"
 
+#include "reports/evidence.h"
+#include "reports/view_picture.h"
+
 #include <cmath>
 #include <limits>
 
@@ -126,6 +129,22 @@ SampleView sample_view() {
                            .candidate_depth = {2.1, 2.2, 2.3},
                            .error_over_bound = 0.5}};
     return s;
+}
+
+void write_sample_evidence(const std::filesystem::path& folder) {
+    const SampleView sample = sample_view();
+    const Plane<PixelClass>& classes = sample.verdict.classes;
+    const auto picture = [&](PictureSize size) {
+        return view_picture(
+            classes,
+            [](int, int) {
+                return LinearRgb{1, 1, 1};
+            },
+            size);
+    };
+    write_view_summary(folder, picture(card_picture), sample.verdict);
+    write_view_evidence(folder, sample.candidate, sample.reference, sample.verdict);
+    write_large_picture(folder, picture(large_picture));
 }
 
 Results sample_results() {

@@ -21,6 +21,9 @@ struct SampleView {
 };
 SampleView sample_view();
 
+/// All that a view with defects leaves, the sample's, into the folder.
+void write_sample_evidence(const std::filesystem::path& folder);
+
 /// proven "meadow/dawn", defective "room/corner" with numbers that are hard to print, unreadable
 /// hostile_name, not judged "empty/0", in this order.
 Results sample_results();

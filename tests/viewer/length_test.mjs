@@ -47,9 +47,35 @@ async function find(page, words, count) {
     assert.equal(await page.textContent('nav.pages .fine'), (count === views ? '' : count.toLocaleString('en') + ' of ') + '1,050 views');
 }
 
+/// The report with its table shown.
+async function openTable() {
+    const page = await openReport(browser, run);
+    await page.selectOption('nav.pages select[aria-label=show]', 'table');
+    return page;
+}
+
+describe('the cards of a long run', () => {
+    const cards = (page) => page.$$eval('#cards > a', (all) => all.map((card) => card.getAttribute('href')));
+
+    it('turn with its pages; those behind the first are made of what is packed', async () => {
+        const page = await openReport(browser, run);
+        assert.equal((await cards(page)).length, 200);
+        await page.click('nav.pages button[title="next page"]');
+        await turned(page, 'view-201');
+        assert.equal((await cards(page))[0], '#view-201');
+        assert.match(await page.textContent('#cards > a'), /^model-200 cam4✓ proven/);
+        assert.match(await page.getAttribute('#cards > a img', 'src'), /^data:image\/webp/);
+        await page.click('#cards > a');
+        await page.waitForFunction(() => document.querySelector('#view-201 details').open);
+        assert.ok(await page.isVisible('#view-201 figure.of-card img'), 'the picture of the card');
+        assert.deepEqual(page.trouble, []);
+        await page.close();
+    });
+});
+
 describe('the table of a long run', () => {
     it('turns its pages, and the sections with them', async () => {
-        const page = await openReport(browser, run);
+        const page = await openTable();
         assert.equal((await names(page)).length, 200);
         assert.match((await names(page))[0], /^room /);
         await page.click('nav.pages button[title="next page"]');
@@ -66,7 +92,7 @@ describe('the table of a long run', () => {
     });
 
     it('is searched by scene, view, verdict, class and file', async () => {
-        const page = await openReport(browser, run);
+        const page = await openTable();
         await find(page, 'model-777', 1);
         assert.deepEqual(await names(page), ['model-777 cam0']);
         assert.deepEqual(await sections(page), ['view-778']);
@@ -79,7 +105,7 @@ describe('the table of a long run', () => {
     });
 
     it('is sorted as a whole', async () => {
-        const page = await openReport(browser, run);
+        const page = await openTable();
         await find(page, 'model', views - failing);
         await page.click(`${table} thead th:nth-child(3)`);
         await turned(page, `view-${views}`);
@@ -117,10 +143,10 @@ describe('a link into a long run', () => {
         await viewerShows(page);
         assert.equal(await page.textContent('#viewer .inspector h2'), `Pixel ${x}, ${y}`);
         assert.equal(await page.locator('#viewer .view-entry').count(), 200, 'of the list, those around this view');
-        assert.equal(await page.isVisible(table), false);
+        assert.equal(await page.isVisible('#cards'), false);
         await page.keyboard.press('v');
         await page.waitForURL(/#view-1$/);
-        assert.equal(await page.isVisible(table), true);
+        assert.equal(await page.isVisible('#cards'), true);
         await page.close();
     });
 });

@@ -1,0 +1,42 @@
+#include "reports/run_causes.h"
+
+#include <gtest/gtest.h>
+
+namespace zproof {
+
+namespace {
+
+ViewResult failed_by(const std::string& cause) {
+    ViewResult view;
+    view.outcome = Outcome::defective;
+    view.diagnosis = Diagnosis{};
+    if (!cause.empty())
+        view.diagnosis->cause = Explanation{.name = cause, .description = "", .look_at = "Look."};
+    return view;
+}
+
+Results run_of(const std::vector<std::string>& causes) {
+    Results results;
+    for (const std::string& cause : causes) results.views.push_back(failed_by(cause));
+    return results;
+}
+
+TEST(RunCauses, AreCountedByViewsTheCommonestFirst) {
+    const std::vector<RunCause> causes = run_causes(run_of({"a", "b", "", "b", "c"}));
+    ASSERT_EQ(causes.size(), 3u);
+    EXPECT_EQ(causes[0].name, "b");
+    EXPECT_EQ(causes[0].views, 2u);
+    EXPECT_EQ(causes[1].name, "a") << "of as many views, the first that was named";
+    EXPECT_EQ(in_words(causes, 5), "Likely cause of 2 of 5 failed views: b. Look.");
+}
+
+TEST(RunCauses, SayHowManyViewsTheyExplain) {
+    EXPECT_EQ(in_words(run_causes(run_of({"a", "a"})), 2), "Likely cause of all 2 failed views: a. Look.");
+    EXPECT_EQ(in_words(run_causes(run_of({"a"})), 1), "Likely cause: a. Look.");
+    EXPECT_EQ(in_words(run_causes(run_of({"", ""})), 2), "No cause is certain.");
+    EXPECT_EQ(in_words(run_causes(run_of({})), 0), "");
+}
+
+}  // namespace
+
+}  // namespace zproof
