@@ -38,7 +38,7 @@ const failsGate = (kind) => ['wrong_depth', 'hole', 'outside', 'hidden', 'invali
 describe('a page from disk', () => {
     it('shows the summary at once, complains of nothing and asks for nothing', async () => {
         const page = await openReport(browser, failing);
-        assert.equal(await page.isVisible('table.summary.sortable'), true);
+        assert.equal(await page.isVisible('#cards'), true);
         assert.equal(await page.isVisible('#viewer'), false);
         await press(page, 'v');
         await viewerShows(page);
@@ -65,6 +65,7 @@ describe('a page from disk', () => {
 
     it('sorts its tables by a click on a heading and back by another', async () => {
         const page = await openReport(browser, admissible);
+        await page.selectOption('nav.pages select[aria-label=show]', 'table');
         const column = () => page.$$eval('table.summary.sortable tbody tr', (rows) => rows.map((row) => Number(row.cells[4].textContent.replace(/,/g, ''))));
         await page.click('table.summary.sortable thead th:nth-child(5)');
         assert.deepEqual(await column(), (await column()).sort((a, b) => b - a));
