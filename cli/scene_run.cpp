@@ -126,12 +126,22 @@ bool leaves_evidence(const Verdict& verdict, Evidence mode) {
     return mode == Evidence::all || defect_count(verdict) > 0;
 }
 
-/// What the judge says; of a view that leaves no evidence without any.
+/// Those that fail the gate.
+std::vector<Finding> failing(std::span<const Finding> findings) {
+    std::vector<Finding> found;
+    std::ranges::copy_if(findings, std::back_inserter(found),
+                         [](const Finding& f) { return !passes(f.verdict); });
+    return found;
+}
+
+/// What the judge says; of a view that leaves no evidence what the page shows of it.
 Verdict judge_as_wanted(const ViewRun& view_run, const RenderedFrame& candidate,
                         const RenderedFrame& reference) {
     const ViewContext& context = view_run.context;
     if (view_run.config.evidence == Evidence::defects) {
-        Verdict verdict = judge(context.scene, context.view, candidate, reference);
+        JudgeOptions options;
+        if (view_run.config.shows_every_view) options.findings = JudgeOptions::Findings::differences;
+        Verdict verdict = judge(context.scene, context.view, candidate, reference, options);
         if (!leaves_evidence(verdict, view_run.config.evidence)) return verdict;
     }
     return judge(context.scene, context.view, candidate, reference, full_detail);
@@ -192,11 +202,12 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
         diagnosis = diagnose(scene, view, ours, theirs, verdict);
     };
     if (!done_uninterrupted(judge_and_diagnose)) return std::nullopt;
-    ViewResult result = to_view_result(context, verdict, config.gate, candidate);
+    const bool is_whole = leaves_evidence(verdict, config.evidence);
+    const std::vector<Finding> told = is_whole ? verdict.findings : failing(verdict.findings);
+    ViewResult result = to_view_result(context, verdict, told, config.gate, candidate);
     result.diagnosis = std::move(diagnosis);
     result.notes.insert(result.notes.end(), remarks.begin(), remarks.end());
 
-    const bool is_whole = leaves_evidence(verdict, config.evidence);
     if (is_whole || config.shows_every_view) {
         begin(view_run, "write", &StageTimes::write);
         result.folder = "scenes/" + config.names.next(source.name, shown_name(view));

@@ -45,7 +45,7 @@ Plane<Rgb8> picture_of(const ViewContext& context, const Frame& candidate, const
         const PrimitiveId id = candidate.primitive.at(x, y);
         return std::size_t(id) < context.scene.triangles.size() ? shader.colour_at(x, y, id) : LinearRgb{};
     };
-    return view_picture(classes, colour_at, size);
+    return view_picture(classes, candidate.primitive, colour_at, size);
 }
 
 void paint(const PaintContext& paint_context, const std::vector<OpenedOracle>& oracles,

@@ -132,8 +132,8 @@ std::string undecidable_words(const Verdict& verdict) {
     return text.str();
 }
 
-ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, const Gate& gate,
-                          const CandidateFrame& candidate) {
+ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, std::span<const Finding> told,
+                          const Gate& gate, const CandidateFrame& candidate) {
     ViewResult result = unjudged(context.source, Outcome::proven, "");
     result.scene_sha256 = context.scene_sha256;
     result.view = shown_name(context.view);
@@ -153,15 +153,14 @@ ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, co
     result.notes = context.scene.notes;
     if (const std::string note = sample_note(context.view.sample); !note.empty())
         result.notes.push_back(note);
-    result.worst =
-        stories(context, context.renderers.candidate,
-                worst_of(hold_to_waivers(context, verdict.findings, gate, result), most_reported_findings));
+    result.worst = stories(context, context.renderers.candidate,
+                           worst_of(hold_to_waivers(context, told, gate, result), most_reported_findings));
     if (undecidable_count(verdict) > 0) {
         result.outcome = Outcome::undecided;
         result.message = undecidable_words(verdict);
     }
-    for (ReportedFinding& told : result.worst)
-        told.explanation += candidate.label_sentence(told.finding.x, told.finding.y);
+    for (ReportedFinding& reported : result.worst)
+        reported.explanation += candidate.label_sentence(reported.finding.x, reported.finding.y);
     if (unwaived_defects(result) > 0) result.outcome = Outcome::defective;
     return result;
 }

@@ -1,6 +1,7 @@
 /// What the judge said of one view, in the shape that the reports show.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "cli/gate/gate.h"
@@ -31,9 +32,10 @@ std::string explain_command_for(const ViewContext& context, const RendererChoice
 std::string judging_command_for(const SceneSource& source, const ChosenRenderers& renderers,
                                 Resolution resolution, const std::string& typed);
 
-/// Everything but times and folder. A view whose defects are all waived is proven.
-ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, const Gate& gate,
-                          const CandidateFrame& candidate);
+/// Everything but times and folder. A view whose defects are all waived is proven. `told`: those of the
+/// verdict's findings that are told of, the worst first.
+ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, std::span<const Finding> told,
+                          const Gate& gate, const CandidateFrame& candidate);
 
 /// What the judge said of an oracle.
 OracleResult to_oracle_result(const ViewContext& context, const RendererChoice& oracle,

@@ -188,7 +188,7 @@ Page html_page(const Results& results, const std::filesystem::path& run_folder, 
     room.take(pictures.bytes);
     begin += html_cards(in_markup) + table;
     middle = sections_of(in_markup) + middle;
-    PagePlanes planes = page_planes(views, run_folder, room.left());
+    PagePlanes planes = page_planes(results, views, run_folder, room.left());
 
     Page page;
     std::string remark = remark_on_length(views.size(), facts.views, in_markup.size() + sections.views);

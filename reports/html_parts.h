@@ -100,12 +100,16 @@ struct PagePlanes {
     Page elements;
     std::string omissions;  ///< a paragraph about what the page does not hold; empty where it holds all
 };
-PagePlanes page_planes(std::span<const PageView> views, const std::filesystem::path& run_folder,
-                       std::size_t budget);
+PagePlanes page_planes(const Results& results, std::span<const PageView> views,
+                       const std::filesystem::path& run_folder, std::size_t budget);
 
 /// The section of one view; of most it is folded.
 enum class Folded { yes, no };
 std::string html_view(const PageView& page, Folded folded = Folded::yes);
+
+/// A declared precision (JSON) in one line: "raster; transform float64, subpixel bits 8, watertight". What is
+/// 0 or not the case is left out.
+std::string promise_in_words(const std::string& precision);
 
 /// The matrix of renderers; empty where nothing was judged.
 std::string html_renderers(const Results& results);

@@ -43,10 +43,16 @@ json columns() {
     return all;
 }
 
+json promises(const Results& results) {
+    json all = json::object();
+    for (const RendererFacts& facts : results.renderers) all[facts.name] = promise_in_words(facts.precision);
+    return all;
+}
+
 }  // namespace
 
-PagePlanes page_planes(std::span<const PageView> views, const std::filesystem::path& run_folder,
-                       std::size_t budget) {
+PagePlanes page_planes(const Results& results, std::span<const PageView> views,
+                       const std::filesystem::path& run_folder, std::size_t budget) {
     std::vector<planes::PlanesFile> files;
     for (const PageView& page : views)
         if (page.has_planes)
@@ -57,6 +63,7 @@ PagePlanes page_planes(std::span<const PageView> views, const std::filesystem::p
                                           budget - std::min(budget, reserved));
     PagePlanes planes{{}, embedded.omissions()};
     planes.elements.emplace_back(planes::json_element("run", {{"classes", classes()},
+                                                              {"promises", promises(results)},
                                                               {"columns", columns()},
                                                               {"facts", fact_names()},
                                                               {"inMarkup", views_in_markup},

@@ -37,23 +37,6 @@ std::string spaced(std::string name) {
     return name;
 }
 
-/// A declared precision in one line: "raster; transform float64, subpixel bits 8, watertight". What is 0 or
-/// not the case is left out.
-std::string promise_in_words(const std::string& precision) {
-    const json declared = json::parse(precision, nullptr, false);
-    if (!declared.is_object()) return "";
-    std::string kind, text;
-    for (const auto& [key, value] : declared.items()) {
-        if (value == false || value == 0 || value == 1 || value.is_structured()) continue;
-        std::string said = value.is_string() ? spaced(value.get<std::string>()) : value.dump();
-        if (key == "kind")
-            kind = std::move(said);
-        else
-            text += (text.empty() ? "" : ", ") + spaced(key) + (value == true ? "" : " " + said);
-    }
-    return kind + (text.empty() ? "" : "; " + text);
-}
-
 std::string facts_of(const Results& results, const RendererRecord& r) {
     for (const RendererFacts& facts : results.renderers)
         if (facts.name == r.name)
@@ -144,6 +127,21 @@ std::string oracle_item(const ViewResult& v, const OracleResult& w) {
 }
 
 }  // namespace
+
+std::string promise_in_words(const std::string& precision) {
+    const json declared = json::parse(precision, nullptr, false);
+    if (!declared.is_object()) return "";
+    std::string kind, text;
+    for (const auto& [key, value] : declared.items()) {
+        if (value == false || value == 0 || value == 1 || value.is_structured()) continue;
+        std::string said = value.is_string() ? spaced(value.get<std::string>()) : value.dump();
+        if (key == "kind")
+            kind = std::move(said);
+        else
+            text += (text.empty() ? "" : ", ") + spaced(key) + (value == true ? "" : " " + said);
+    }
+    return kind + (text.empty() ? "" : "; " + text);
+}
 
 std::string html_renderers(const Results& results) {
     const std::vector<RendererRecord> records = renderer_records(results);

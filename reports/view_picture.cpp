@@ -22,13 +22,25 @@ int middle_of(int pixel, int part, int parts, int view_side, int picture_side) {
     return int((pixel + (part + 0.5) / parts) * view_side / picture_side);
 }
 
-LinearRgb mean_at(const ColourAt& colour_at, int x, int y, Resolution view, Resolution picture, int side) {
-    LinearRgb sum{};
-    const auto share = float(side * side);
+/// What is drawn: the view's frame, and the light of its pixels.
+struct Seen {
+    const Plane<PrimitiveId>& ids;
+    const ColourAt& colour_at;
+};
+
+/// The mean of the parts of a pixel of the picture; parts of one triangle are shaded once.
+LinearRgb mean_at(const Seen& seen, int x, int y, Resolution picture, int side) {
+    const Resolution view = seen.ids.size();
+    LinearRgb sum{}, light{};
+    PrimitiveId last = PrimitiveId::none;
+    const auto share = 1 / float(side * side);
     for (int part = 0; part < side * side; ++part) {
-        const LinearRgb c = colour_at(middle_of(x, part % side, side, view.width, picture.width),
-                                      middle_of(y, part / side, side, view.height, picture.height));
-        sum = {sum.r + c.r / share, sum.g + c.g / share, sum.b + c.b / share};
+        const int x_view = middle_of(x, part % side, side, view.width, picture.width),
+                  y_view = middle_of(y, part / side, side, view.height, picture.height);
+        const PrimitiveId id = seen.ids.at(x_view, y_view);
+        if (part == 0 || id != last) light = seen.colour_at(x_view, y_view);
+        last = id;
+        sum = {sum.r + share * light.r, sum.g + share * light.g, sum.b + share * light.b};
     }
     return sum;
 }
@@ -97,12 +109,13 @@ Resolution resolution_of(PictureSize size, Resolution view) {
     return {shrunk(view.width), shrunk(view.height)};
 }
 
-Plane<Rgb8> view_picture(const Plane<PixelClass>& classes, const ColourAt& colour_at, PictureSize size) {
+Plane<Rgb8> view_picture(const Plane<PixelClass>& classes, const Plane<PrimitiveId>& ids,
+                         const ColourAt& colour_at, PictureSize size) {
     const Resolution view = classes.size(), resolution = resolution_of(size, view);
     Picture light(resolution);
     tbb::parallel_for(0, resolution.height, [&](int y) {
         for (int x = 0; x < resolution.width; ++x)
-            light.at(x, y) = mean_at(colour_at, x, y, view, resolution, size.samples_per_side);
+            light.at(x, y) = mean_at({ids, colour_at}, x, y, resolution, size.samples_per_side);
     });
     Plane<Rgb8> picture = picture_of_light(light);
     const Plane<PixelClass> marks = marks_of(classes, resolution);

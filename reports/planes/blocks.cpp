@@ -27,6 +27,10 @@ Block bytes_block(const std::string& name, std::string_view bytes) {
     return {name, plane_facts("bytes", bytes), deflated_side_by_side(bytes)};
 }
 
+Block runs_block(const std::string& name, std::string_view bytes) {
+    return {name, plane_facts("runs", bytes), encode_runs(bytes)};
+}
+
 Block json_block(const std::string& name, const nlohmann::json& content) {
     const std::string text = content.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     return {name, {{"coding", "json"}, {"length", text.size()}}, deflated(text)};

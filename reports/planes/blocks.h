@@ -29,6 +29,9 @@ Block beside(const std::string& name, Words values, const Guess& guess);
 /// A byte per pixel.
 Block bytes_block(const std::string& name, std::string_view bytes);
 
+/// A byte per pixel, mostly that of its neighbour.
+Block runs_block(const std::string& name, std::string_view bytes);
+
 Block json_block(const std::string& name, const nlohmann::json& content);
 
 }  // namespace zproof::planes

@@ -235,6 +235,37 @@ std::size_t missed_by(Words values, Words guess) {
     return missed;
 }
 
+std::string encode_runs(std::string_view values) {
+    std::string runs;
+    for (std::size_t first = 0, end = 0; first < values.size(); first = end) {
+        end = std::min(values.find_first_not_of(values[first], first), values.size());
+        std::size_t length = end - first;
+        for (; length > 127; length >>= 7) runs += char(128 | (length & 127));
+        runs += char(length);
+        runs += values[first];
+    }
+    return deflated(runs);
+}
+
+std::string decode_runs(std::string_view bytes, std::size_t count) {
+    constexpr std::size_t most_bytes_of_run = 10;
+    const std::string runs = inflated(bytes, most_bytes_of_run * count);
+    std::string values;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        std::size_t length = 0;
+        for (int shift = 0; i < runs.size(); shift += 7) {
+            length |= std::size_t(runs[i] & 127) << shift;
+            if ((runs[i++] & 128) == 0) break;
+        }
+        if (i >= runs.size() || length > count - values.size())
+            throw ReportError("planes: a block is damaged: a run beyond its plane; run zproof again");
+        values.append(length, runs[i]);
+    }
+    if (values.size() != count)
+        throw ReportError("planes: a block is damaged: its runs end early; run zproof again");
+    return values;
+}
+
 std::string encode(std::span<const double> values) {
     std::vector<std::uint64_t> bits;
     for (const double value : values) bits.push_back(std::bit_cast<std::uint64_t>(value));

@@ -60,6 +60,11 @@ std::vector<std::uint32_t> decode_sparse(std::string_view bytes, std::size_t cou
 /// How many numbers encode_sparse keeps.
 std::size_t missed_by(Words values, Words guess);
 
+/// Bytes of which neighbours are mostly equal: of each run its length, seven bits to a byte and the lowest
+/// first (all but the last have their eighth bit set), then its value.
+std::string encode_runs(std::string_view values);
+std::string decode_runs(std::string_view bytes, std::size_t count);
+
 /// The bits of doubles, byte by byte.
 std::string encode(std::span<const double> values);
 std::vector<double> decode_doubles(std::string_view bytes, std::size_t count);

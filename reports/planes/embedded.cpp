@@ -15,6 +15,9 @@ EmbeddedPlanes::EmbeddedPlanes(std::vector<PlanesFile> files, const Tiers& tiers
         }
         choices_.push_back(std::move(choice));
     }
+    const auto first = std::ranges::find_if(choices_, [](const Choice& c) { return c.source.goes_first; });
+    for (int tier = 0; first != choices_.end() && tier < tiers.count; ++tier)
+        take(*first, tier, tiers, budget);
     for (Choice& choice : choices_) take(choice, 0, tiers, budget);
     for (Choice& choice : choices_)
         for (int tier = 1; tier < tiers.count && choice.source.goes_first; ++tier)

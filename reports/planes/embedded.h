@@ -15,7 +15,8 @@ namespace zproof::planes {
 struct PlanesFile {
     std::string anchor;          ///< the element's id is "planes-" and this
     std::filesystem::path file;  ///< planes.zvp; need not be there
-    bool goes_first = false;     ///< are all its blocks taken before those of the others, tier 0 apart?
+    bool goes_first = false;     ///< are all its blocks taken before those of the others? Tier 0 of all comes
+                                 ///< before the second one that does.
 };
 
 /// The rounds in which blocks ask for room.

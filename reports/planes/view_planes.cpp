@@ -19,8 +19,8 @@ namespace {
 
 Block class_block(const Plane<PixelClass>& classes) {
     static_assert(sizeof(PixelClass) == 1);
-    return bytes_block("class",
-                       {reinterpret_cast<const char*>(classes.pixels().data()), classes.pixels().size()});
+    return runs_block("class",
+                      {reinterpret_cast<const char*>(classes.pixels().data()), classes.pixels().size()});
 }
 
 Block error_block(const std::string& name, const Plane<float>& errors) {
@@ -44,12 +44,12 @@ Block colour_block(const std::string& name, const Picture& colours) {
     return {name, plane_facts("channels", plain), deflated_side_by_side(missed)};
 }
 
-std::vector<const Finding*> listed_findings(const Verdict& verdict) {
+std::vector<const Finding*> listed_findings(const Verdict& verdict, std::size_t most) {
     std::vector<const Finding*> listed;
     for (const Finding& finding : verdict.findings) listed.push_back(&finding);
     std::stable_partition(listed.begin(), listed.end(),
                           [](const Finding* f) { return is_defect(f->verdict); });
-    if (listed.size() > most_findings) listed.resize(most_findings);
+    if (listed.size() > most) listed.resize(most);
     std::ranges::sort(listed, {}, [](const Finding* f) { return std::pair{f->y, f->x}; });
     return listed;
 }
@@ -58,8 +58,8 @@ std::uint32_t word(float value) { return std::bit_cast<std::uint32_t>(value); }
 
 /// A table: its columns of words one after another, as one plane with a row per column, then those of
 /// doubles.
-Block findings_block(const Verdict& verdict, int width) {
-    const std::vector<const Finding*> listed = listed_findings(verdict);
+Block findings_block(const Verdict& verdict, int width, std::size_t most) {
+    const std::vector<const Finding*> listed = listed_findings(verdict, most);
     std::vector<std::uint32_t> words;
     std::vector<double> doubles;
     const auto add = [&](auto& column, const auto& value_of) {
@@ -133,8 +133,9 @@ std::vector<Block> made(const std::vector<Recipe>& recipes) {
 Container container_of(const ViewPlanes& v, PlanesDetail detail) {
     const auto width = std::size_t(v.candidate.frame.size().width);
     const Frame& ours = v.candidate.frame;
+    const std::size_t most = detail == PlanesDetail::all ? most_findings : most_in_summary;
     std::vector<Recipe> recipes{[&] { return class_block(v.verdict.classes); },
-                                [&] { return findings_block(v.verdict, int(width)); },
+                                [&] { return findings_block(v.verdict, int(width), most); },
                                 [&] { return json_block("stories", to_json(v.stories)); },
                                 [&] { return json_block("ranges", to_json(v.ranges)); }};
     if (detail == PlanesDetail::differences) return {header_of(v), made(recipes)};

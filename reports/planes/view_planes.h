@@ -56,6 +56,7 @@ struct ViewPlanes {
 
 /// The most findings that are listed one by one, defects first; the class map always has all.
 inline constexpr std::size_t most_findings = 20'000;
+inline constexpr std::size_t most_in_summary = 100;  ///< of PlanesDetail::differences
 
 /// How much of a view is kept.
 enum class PlanesDetail {

@@ -92,6 +92,19 @@ TEST(PlaneCoding, GivesBackEveryBitOfWhatIsPackedInPieces) {
     EXPECT_EQ(decode(encode(nearly, guess), guess), nearly);
 }
 
+TEST(Planes, RunsComeBackAndDamageIsRefused) {
+    std::string values(100'000, '\0');
+    for (const std::size_t at : {0u, 1u, 127u, 128u, 16'384u, 50'000u, 99'999u})
+        values[at] = char(at % 251 + 1);
+    for (const std::string& some : {values, std::string(), std::string("a"), std::string(127, 'b'),
+                                    std::string(128, 'c'), std::string("abab")}) {
+        EXPECT_EQ(decode_runs(encode_runs(some), some.size()), some);
+        EXPECT_THROW(decode_runs(encode_runs(some), some.size() + 1), ReportError);
+        if (some.empty()) continue;
+        EXPECT_THROW(decode_runs(encode_runs(some), some.size() - 1), ReportError);
+    }
+}
+
 TEST(PlaneCoding, GivesBackDoublesThatAreNoNumbers) {
     const std::vector<double> values{0, -0.0, 1.0 / 3, NAN, INFINITY, -INFINITY, 5e-324};
     const std::vector<double> back = decode_doubles(encode(values), values.size());
@@ -239,7 +252,7 @@ TEST(ViewPlanes, HoldBothFramesBitForBit) {
 TEST(ViewPlanes, HoldClassesErrorsAndFindings) {
     SamplePlanes s;
     const Container container = container_of(s.planes);
-    const std::string classes = inflated(block_named(container, "class").content, 32);
+    const std::string classes = decode_runs(block_named(container, "class").content, 32);
     EXPECT_EQ(classes[1 * 8 + 6], char(PixelClass::hole));
     EXPECT_EQ(classes[3 * 8 + 2], char(PixelClass::edge));
     EXPECT_EQ(inflated(block_named(container, "candidate.error").content, 32), std::string(32, char(197)));

@@ -50,6 +50,20 @@ export function sparse(planes: Uint8Array, count: number, guess: Uint32Array): U
     return words;
 }
 
+/// Of each run its length, seven bits to a byte and the lowest first, then its value.
+export function fromRuns(runs: Uint8Array, count: number): Uint8Array<ArrayBuffer> {
+    const values = new Uint8Array(count);
+    for (let i = 0, at = 0; i < runs.length; ++i) {
+        let length = 0;
+        for (let shift = 1; ; shift *= 128) {
+            length += (runs[i] & 127) * shift;
+            if (runs[i++] < 128) break;
+        }
+        values.fill(runs[i], at, at += length);
+    }
+    return values;
+}
+
 export function doublesFrom(planes: Uint8Array, count: number): Float64Array<ArrayBuffer> {
     const bytes = new Uint8Array(8 * count);
     for (let k = 0; k * count < planes.length; ++k)

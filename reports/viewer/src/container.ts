@@ -1,7 +1,7 @@
 // planes.zvp, as reports/planes/container.h has it.
 
 export type BlockFacts = {
-    name: string; bytes: number; coding: 'bytes' | 'left' | 'planar' | 'beside' | 'sparse' | 'channels' | 'json' | 'table';
+    name: string; bytes: number; coding: 'bytes' | 'left' | 'planar' | 'runs' | 'beside' | 'sparse' | 'channels' | 'json' | 'table';
     crc32?: number; beside?: string; count?: number; words?: number; all?: number;
 };
 

@@ -17,7 +17,9 @@ export class Inspector implements PixelInspector {
     readonly root = element('aside', {class: 'inspector', 'aria-label': 'pixel', 'aria-live': 'polite'});
     private shown = '';
 
-    constructor(private readonly classes: ClassStyle[], private readonly copy: (text: string, what: string) => void,
+    /// `about`: what holds for the view that is open.
+    constructor(private readonly classes: ClassStyle[], private readonly about: () => HTMLElement | null,
+                private readonly copy: (text: string, what: string) => void,
                 private readonly linkHere: () => string, private readonly next: () => void) {}
 
     show(planes: Planes | null, x: number, y: number): void {
@@ -31,7 +33,7 @@ export class Inspector implements PixelInspector {
             element('p', {class: 'why'}, story ? sentenceOf(story) : style.meaning),
             this.answersTable(planes, pixel), this.bound(planes, pixel, story),
             story ? this.storyOf(planes, story) : this.noStory(planes),
-            this.command(planes, x, y));
+            this.command(planes, x, y), this.about());
         if (story) this.draw(planes, story);
         if (key !== this.shown) this.root.scrollTop = 0;
         this.shown = key;
@@ -47,27 +49,26 @@ export class Inspector implements PixelInspector {
     private showNothing(): void {
         replaceChildren(this.root, element('h2', {}, 'Pixel'),
             element('p', {class: 'quiet'}, 'Click into a pane, or press ', element('kbd', {}, 'N'),
-                ' for the next defect.'));
+                ' for the worst defect.'), this.about());
     }
 
     private answersTable(planes: Planes, pixel: number): HTMLElement {
         const answers = answersAt(planes, pixel), ours = answers[0];
         const rows = answers.flatMap((answer) => {
             const name = shortNameOf(planes.ranges, answer.id);
-            const ulps = ours.depth === null || answer.depth === null ? NaN : ulpsBetween(ours.depth, answer.depth);
-            return [element('tr', {},
-                element('th', {scope: 'row', rowspan: 2}, answer.who),
+            const ulps = ours.depth === null || answer.depth === null || ours.id === background || answer.id === background ? NaN : ulpsBetween(ours.depth, answer.depth);
+            return [element('tr', {}, element('th', {colspan: 4}, answer.who, ' ',
+                    element('span', {class: 'fine', title: nameOf(planes.ranges, answer.id)}, name))),
+            element('tr', {},
                 element('td', {}, swatch(answer.id), idText(answer.id)),
-                element('td', {class: 'n'}, answer.depth === null ? '–' : shortestFloat(floatOf(answer.depth))),
+                element('td', {class: 'n', title: answer.depth === null ? '' : hexBits(answer.depth)},
+                    answer.depth === null ? '–' : shortestFloat(floatOf(answer.depth))),
                 element('td', {class: 'n'}, answer === ours || Number.isNaN(ulps) ? '–' : signed(ulps)),
-                element('td', {class: 'n'}, answer.error)),
-            element('tr', {class: 'fine'}, element('td', {colspan: 4},
-                element('span', {title: nameOf(planes.ranges, answer.id)}, name),
-                element('span', {class: 'bits'}, answer.depth === null ? '' : hexBits(answer.depth))))];
+                element('td', {class: 'n'}, answer.error))];
         });
         return element('table', {class: 'answers'},
-            element('thead', {}, element('tr', {}, ...['', 'triangle', 'depth', 'ULPs', 'error / bound'].map(
-                (title, i) => element('th', {class: i > 1 ? 'n' : ''}, title)))),
+            element('thead', {}, element('tr', {}, ...['triangle', 'depth', 'ULPs', 'error / bound'].map(
+                (title, i) => element('th', {class: i > 0 ? 'n' : ''}, title)))),
             element('tbody', {}, ...rows));
     }
 

@@ -17,8 +17,11 @@ export type Painted = {
     outlines?: Uint32Array;        // ids whose borders are drawn as lines
 };
 
+/// What the colours of a layer mean, from one end to the other.
+export type ColourKey = {from: string; colours: number[]; to: string};
+
 export type Layer = {
-    id: string; title: string;
+    id: string; title: string; key?: ColourKey;
     needs: string[];  // names of planes
     paint(planes: Planes): Promise<Painted>;
 };
@@ -88,7 +91,7 @@ function tones(depths: Uint32Array): Uint8Array {
 
 function depthLayer(plane: string, title: string): Layer {
     return {
-        id: plane, title, needs: [plane],
+        id: plane, title, needs: [plane], key: {from: 'far', colours: [...viridis.filter((_, i) => i % 32 === 1)], to: 'near'},
         async paint(planes) {
             const bits = await planes.words(plane), tone = tones(bits);
             return {
@@ -101,9 +104,13 @@ function depthLayer(plane: string, title: string): Layer {
     };
 }
 
+/// From a thousandth of the bound over the bound itself, where the hue changes, to a thousand times it.
+const errorKey: ColourKey = {
+    from: '1/1000', colours: [161, 180, 200, 201, 221, 241].map((code) => errorPalette[code]), to: '1000 × the bound'};
+
 function errorLayer(plane: string, title: string): Layer {
     return {
-        id: plane, title, needs: [plane],
+        id: plane, title, needs: [plane], key: errorKey,
         async paint(planes) {
             const values = await planes.bytes(plane);
             const words = (code: number) => code === 0 ? '–' : code === 1 ? '0' : '≥ ' + rounded(ratioOf(code));
@@ -131,6 +138,7 @@ const ulpPalette = Uint32Array.from({length: 256}, (_, code) =>
 function ulpLayer(): Layer {
     return {
         id: 'ulps', title: 'depth: reference less candidate, ULPs', needs: ['candidate.depth', 'reference.depth'],
+        key: {from: '1', colours: [1, 13, 25, 37, 49].map((code) => ulpPalette[code]), to: '2²⁴ ULPs'},
         async paint(planes) {
             const [ours, theirs] =
                 await Promise.all([planes.words('candidate.depth'), planes.words('reference.depth')]);

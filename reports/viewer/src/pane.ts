@@ -1,8 +1,8 @@
 // One pane: a canvas that shows a layer as the shared look has it.
 import {cssOf} from './colours';
-import {element, fittedCanvas} from './element';
+import {element, fittedCanvas, replaceChildren} from './element';
 import {chainOf, difference, selected} from './layers';
-import type {Layer, Painted, Severity} from './layers';
+import type {ColourKey, Layer, Painted, Severity} from './layers';
 import type {Look, Size} from './look';
 import type {MaxChain} from './mips';
 import type {Planes} from './planes';
@@ -17,9 +17,10 @@ export class Pane {
     readonly canvas = element('canvas', {tabindex: 0, role: 'img'});
     readonly choice = element('select', {'aria-label': 'layer of this pane'});
     private readonly value = element('output', {class: 'pane-value'});
+    private readonly key = element('span', {class: 'colour-key'});
     private readonly note = element('div', {class: 'pane-note', hidden: true});
     readonly root = element('div', {class: 'pane'},
-        element('div', {class: 'pane-head'}, this.choice, this.value), this.canvas, this.note);
+        element('div', {class: 'pane-head'}, this.choice, this.key, this.value), this.canvas, this.note);
     private painted: Painted | null = null;
     private planes: Planes | null = null;
     private chain: {of: Uint8Array; made: MaxChain} | null = null;
@@ -33,6 +34,7 @@ export class Pane {
         this.layer = layer;
         this.choice.value = layer.id;
         this.canvas.setAttribute('aria-label', layer.title);
+        this.tellColours(layer.key);
         const missing = layer.needs.filter((name) => !planes.has(name));
         if (missing.length) {
             this.planes = planes;
@@ -45,6 +47,11 @@ export class Pane {
         this.say('');
         this.planes = planes;
         this.painted = painted;
+    }
+
+    private tellColours(key: ColourKey | undefined): void {
+        replaceChildren(this.key, ...key ? [key.from,
+            element('i', {style: `background:linear-gradient(to right, ${key.colours.map(cssOf).join(', ')})`}), key.to] : []);
     }
 
     private say(text: string): void {

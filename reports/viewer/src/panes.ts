@@ -22,7 +22,7 @@ export class Panes {
     private wipeAt = 0.5;
     private forced: Comparison | null = null;  // while a key is held
     private comparison: Comparison = 'none';
-    private count = 4;
+    private wanted = 4;
     private active = 0;
 
     /// `first`: the layers that they show before somebody chooses.
@@ -35,6 +35,9 @@ export class Panes {
             this.redraw();
         }).observe(this.root);
     }
+
+    /// No more than there are layers.
+    private get count(): number { return Math.min(this.wanted, Math.max(1, this.layers.length)); }
 
     get size(): Size { return this.panes[0].size; }
 
@@ -49,6 +52,7 @@ export class Panes {
     /// Other layers of the same view; every pane keeps the id of its own.
     async setLayers(layers: Layer[]): Promise<void> {
         this.layers = layers;
+        this.root.dataset.count = String(this.count);
         for (const pane of this.panes)
             replaceChildren(pane.choice, ...layers.map((layer) => element('option', {value: layer.id}, layer.title)));
         await this.showAll();
@@ -77,7 +81,7 @@ export class Panes {
 
     /// 2, 3 or 4 panes in turn.
     async cycle(): Promise<void> {
-        this.count = this.count === 4 ? 2 : this.count + 1;
+        this.wanted = this.wanted === 4 ? 2 : this.wanted + 1;
         this.active = Math.min(this.active, this.count - 1);
         this.root.dataset.count = String(this.count);
         if (this.planes) await this.showAll();

@@ -1,5 +1,5 @@
 // The planes of one view: decoded when first asked for, and kept.
-import {beside, doublesFrom, fromChannels, fromLeft, fromPlanar, inflated, sparse} from './coding';
+import {beside, doublesFrom, fromChannels, fromLeft, fromPlanar, fromRuns, inflated, sparse} from './coding';
 import type {Container, Header, JudgedHeader} from './container';
 import type {Story, TriangleRange} from './story';
 
@@ -86,6 +86,7 @@ export class Planes {
             case 'planar': return fromPlanar(content, size, this.width);
             case 'beside': return beside(content, await this.words(block.facts.beside!));
             case 'sparse': return sparse(content, block.facts.count!, await this.words(block.facts.beside!));
+            case 'runs': return fromRuns(content, size);
             case 'channels': return fromChannels(content);
             default: return content;
         }

@@ -21,6 +21,7 @@ export type ClassStyle = {name: string; glyph: string; colour: string; meaning: 
 
 export type Run = {
     views: JudgedView[]; classes: ClassStyle[]; columns: Column[];
+    promises: Record<string, string>;  // what each renderer declares, in words
     facts: string[];   // names of what is known of a view, in the order of its array
     inMarkup: number;  // views that stand in the page as markup; so many are shown at once
     inPack: number;    // sections

@@ -59,10 +59,19 @@ function drawerOf(run: Run, stage: Stage): Drawer {
     });
 }
 
+/// The cause of its defects, and what the candidate promises.
+function aboutView(run: Run, view: JudgedView | undefined): HTMLElement | null {
+    if (!view) return null;
+    const promise = run.promises[view.candidate];
+    return element('dl', {class: 'bound'},
+        ...view.cause ? [element('dt', {}, 'likely cause'), element('dd', {}, view.cause)] : [],
+        ...promise ? [element('dt', {}, 'promised'), element('dd', {}, promise)] : []);
+}
+
 export function visibilityOf(run: Run, stage: Stage): Subject {
     const walk = new Walk(stage.current, run.classes, stage.go, stage.notice);
     return {
-        inspector: new Inspector(run.classes, (text, what) => void stage.notice.copy(text, what), stage.link, () => walk.toStory()),
+        inspector: new Inspector(run.classes, () => aboutView(run, stage.current.entry as JudgedView | undefined), (text, what) => void stage.notice.copy(text, what), stage.link, () => walk.toStory()),
         walk, drawer: drawerOf(run, stage), tools: null, entries: entryStyle(run),
         facts: (view) => `${judged(view).candidate} against ${judged(view).reference}, ${view.width} × ${view.height}, ` +
             counted(judged(view).triangles, 'triangle'),

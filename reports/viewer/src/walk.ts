@@ -19,6 +19,8 @@ export class Walk implements PixelWalk {
         const {planes, look, selection} = this.current, entry = this.current.entry as JudgedView | undefined;
         if (!planes || !entry) return;
         const fails = this.classes.findIndex((style) => !style.passes);
+        const worst = look.hasCross || selection || direction < 0 ? undefined : worstTold(planes);
+        if (worst !== undefined) return this.go(worst);
         const from = selection ? 0 : entry.counts.slice(fails).some((count) => count > 0) ? fails : 1;
         const step = nextPixel(planes, from, look.hasCross ? look.cross : -1, direction, selection?.match ?? null);
         if (!step) return this.notice.tell(nothing);
@@ -65,6 +67,11 @@ function nextPixel(planes: Planes, from: number, start: number, direction: 1 | -
             return {pixel: at, wrapped: start >= 0 && (direction > 0 ? at <= start : at >= start)};
     }
     return null;
+}
+
+/// The severest pixel whose story is stored.
+function worstTold(planes: Planes): number | undefined {
+    return severestFirst(planes).find((pixel) => planes.story(pixel));
 }
 
 /// The findings' pixels by class, then error / bound, then in raster order.
