@@ -136,7 +136,7 @@ void write_sample_evidence(const std::filesystem::path& folder) {
     const Plane<PixelClass>& classes = sample.verdict.classes;
     const auto picture = [&](PictureSize size) {
         return view_picture(
-            classes,
+            classes, sample.candidate.primitive,
             [](int, int) {
                 return LinearRgb{1, 1, 1};
             },
