@@ -150,7 +150,7 @@ class LabelList {
 
 std::vector<std::uint32_t> read_label_file(const Path& file, std::size_t triangles) {
     const Bytes text = read_file(file, largest_file);
-    const json list = parse_json(file, {reinterpret_cast<const char*>(text.data()), text.size()});
+    const json list = parse_json(file, text_in(file, text));
     if (!list.is_array()) refuse(file, "/", what_a_list_holds);
     LabelList labels(file, triangles);
     for (std::size_t i = 0; i < list.size(); ++i) labels.add(i, list[i]);
