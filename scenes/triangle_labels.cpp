@@ -6,6 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "frame/input_file.h"
+#include "frame/joined.h"
 #include "scenes/cryptomatte.h"
 #include "scenes/json_text.h"
 #include "scenes/refusal.h"
@@ -80,6 +82,14 @@ const std::vector<std::string>& label_words() {
         return all;
     }();
     return words;
+}
+
+std::string fault_of_label_word(const std::string& word) {
+    if (std::ranges::count(label_words(), word) > 0) return "";
+    const std::string fault = fault_of_input(word);
+    return fault.empty() ? ""
+                         : fault + "; expected " + joined(label_words()) +
+                               " or a JSON file with a label for each triangle";
 }
 
 TriangleLabels label_triangles(const std::string& word, const Scene& scene) {
