@@ -114,8 +114,10 @@ class Ears {
         const glm::dvec2 &a = left_[before(i)].p, &b = left_[i].p, &c = left_[after(i)].p;
         const int turned = turn(a, b, c);
         if (turned == 0) return Kind::straight;
+        const glm::dvec2 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
         const auto is_in_the_way = [&](const Corner& corner) {
             const glm::dvec2& p = corner.p;
+            if (p.x < low.x || p.y < low.y || p.x > high.x || p.y > high.y) return false;
             return p != a && p != b && p != c && turn(c, a, p) * side_ >= 0 && turn(a, b, p) * side_ >= 0 &&
                    turn(b, c, p) * side_ >= 0;
         };
