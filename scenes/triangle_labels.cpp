@@ -8,6 +8,7 @@
 
 #include "frame/input_file.h"
 #include "frame/joined.h"
+#include "frame/nearest_word.h"
 #include "scenes/cryptomatte.h"
 #include "scenes/json_text.h"
 #include "scenes/refusal.h"
@@ -87,9 +88,10 @@ const std::vector<std::string>& label_words() {
 std::string fault_of_label_word(const std::string& word) {
     if (std::ranges::count(label_words(), word) > 0) return "";
     const std::string fault = fault_of_input(word);
-    return fault.empty() ? ""
-                         : fault + "; expected " + joined(label_words()) +
-                               " or a JSON file with a label for each triangle";
+    return fault.empty()
+               ? ""
+               : fault + "; expected " + joined(label_words()) +
+                     " or a JSON file with a label for each triangle" + did_you_mean(word, label_words());
 }
 
 TriangleLabels label_triangles(const std::string& word, const Scene& scene) {

@@ -39,7 +39,7 @@ RendererChoice renderer_from_word(const std::string& word) {
 std::string ids_from_word(const std::string& word) {
     const std::string fault = fault_of_label_word(word);
     if (fault.empty()) return word;
-    throw UsageError{"--ids " + word + ": " + fault + did_you_mean(word, label_words())};
+    throw UsageError{"--ids " + word + ": " + fault};
 }
 
 bool are_the_usual(const ChosenRenderers& renderers) {

@@ -360,5 +360,6 @@ def test_what_opencv_has_not_is_asked_for():
 def test_unknown_ids_are_told_with_the_known():
     room = zproof.load("room", size=(40, 30))
     said = told(lambda: zproof.judge(room, room.views["door"], id=np.zeros((30, 40), np.uint32), precision="opengl",
-                                     ids="bogus"))
-    assert said.startswith("judge: ids bogus: no such file; expected triangle, none, ") and "material" in said, said
+                                     ids="materiel"))
+    assert said.startswith("judge: ids materiel: no such file; expected triangle, none, "), said
+    assert said.endswith("; did you mean 'material'?"), said
