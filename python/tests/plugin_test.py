@@ -375,10 +375,12 @@ def test_the_reports_commands_can_be_repeated_where_it_was_moved(tmp_path, progr
     ran = Ran(tmp_path, GOOD + BAD, "--zproof-report", "out")
     assert ran.status == 1
     moved = (tmp_path / "out").rename(tmp_path / "moved")
-    assert str(tmp_path) not in "".join((moved / file).read_text() for file in ("report.html", "results.json"))
+    for file in ("report.html", "results.json"):
+        assert str(tmp_path) not in (moved / file).read_text(), file
     bad = json.loads((moved / "results.json").read_text())["views"][1]
     command = bad["worst"][0]["command"]
-    assert command.startswith("zproof explain picture_test.test_bad-input/picture_test.test_bad.view.json 36 28 ")
+    name = "picture_test.test_bad"
+    assert command.startswith(f"zproof explain {name}-input/{name}.view.json 36 28 ")
     words = [program, *command.split()[1:]]
     told = subprocess.run(words, cwd=moved, capture_output=True, text=True, check=False)
     assert told.returncode == 1 and "pixel (36, 28): hidden, FAIL" in told.stdout, told.stdout + told.stderr

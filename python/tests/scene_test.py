@@ -338,15 +338,16 @@ def told(call):
 
 def test_a_view_that_is_none_is_told_with_those_that_are():
     room = zproof.load("room", size=(40, 30))
-    assert told(lambda: room.views["dor"]) == ("\"'dor' is no view of the scene; expected one of: door, floor; did "
-                                               "you mean 'door'?\"")
+    assert told(lambda: room.views["dor"]) == (
+        "\"'dor' is no view of the scene; expected one of: door, floor; did you mean 'door'?\"")
     assert "mean" not in told(lambda: room.views[3]) and room.views.get("dor") is None
     example = "view is a str; expected a zproof.View, such as scene.views['floor']"
     ids = np.zeros((30, 40), np.uint32)
     for take in (zproof.trace, zproof.render,
                  lambda scene, view: zproof.judge(scene, view, id=ids, precision="opengl")):
         assert told(lambda: take(room, "flor")) == example
-        assert told(lambda: take("room", room.views["door"])).startswith("scene is a str; expected a zproof.Scene")
+        said = told(lambda: take("room", room.views["door"]))
+        assert said.startswith("scene is a str; expected a zproof.Scene"), said
     bare = zproof.Scene(np.zeros((3, 3), np.float32), np.zeros((1, 3), np.uint32))
     assert told(lambda: zproof.trace(bare, None)) == "view is a NoneType; expected a zproof.View"
 
@@ -359,7 +360,7 @@ def test_what_opencv_has_not_is_asked_for():
 
 def test_unknown_ids_are_told_with_the_known():
     room = zproof.load("room", size=(40, 30))
-    said = told(lambda: zproof.judge(room, room.views["door"], id=np.zeros((30, 40), np.uint32), precision="opengl",
-                                     ids="materiel"))
+    ids = np.zeros((30, 40), np.uint32)
+    said = told(lambda: zproof.judge(room, room.views["door"], id=ids, precision="opengl", ids="materiel"))
     assert said.startswith("judge: ids materiel: no such file; expected triangle, none, "), said
     assert said.endswith("; did you mean 'material'?"), said
