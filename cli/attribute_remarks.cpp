@@ -43,7 +43,7 @@ std::vector<std::string> misnamed_attributes(std::span<const std::string> channe
     for (const std::string& channel : channels) {
         if (is_attribute(channel)) continue;
         const std::string meant = did_you_mean(without_layer(channel), known);
-        if (!meant.empty()) remarks.push_back("channel '" + channel + "': not judged" + meant);
+        if (!meant.empty()) remarks.push_back("channels not judged: '" + channel + "'" + meant);
     }
     return remarks;
 }

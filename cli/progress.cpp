@@ -92,9 +92,4 @@ void Progress::tell(const ViewResult& view) {
         work_.say(out_, line_for(view) + "\n");
 }
 
-void Progress::remark(const std::string& text) {
-    if (style_ != ProgressStyle::silent && remarks_.insert(text).second)
-        work_.say(out_, "zproof: " + shortened(text, longest_line_bytes - 10) + "\n");
-}
-
 }  // namespace zproof

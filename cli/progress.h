@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <iosfwd>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -33,10 +32,9 @@ class Progress {
     void expect_views(std::size_t count);        ///< the scene's work is shared out evenly among them
     void begin_stage(const std::string& stage);  ///< "render main"
     void on_stage(std::function<void(const std::string&)> hear) { hear_stage_ = std::move(hear); }
-    void end_view();                       ///< its share of the work is done
-    void finish_scene();                   ///< all of it, whatever came of its views
-    void tell(const ViewResult& view);     ///< as soon as it is judged, or cannot be
-    void remark(const std::string& text);  ///< in every style but silent; the same text once in a run
+    void end_view();                    ///< its share of the work is done
+    void finish_scene();                ///< all of it, whatever came of its views
+    void tell(const ViewResult& view);  ///< as soon as it is judged, or cannot be
 
   private:
     std::ostream& out_;
@@ -45,7 +43,6 @@ class Progress {
     std::size_t begun_ = 0;
     double left_ = 0, per_view_ = 0;  ///< work of the scene in hand
     WorkProgress work_;
-    std::set<std::string> remarks_;
     std::function<void(const std::string&)> hear_stage_;
 };
 

@@ -154,17 +154,16 @@ ViewResult unjudged(const SceneSource& source, const View& view, Outcome outcome
     return result;
 }
 
-/// What is judged of the candidate's attributes, and what is not; told once in a run.
-std::vector<std::string> remark_on_attributes(const ViewRun& view_run, const Attributes& given) {
+/// What is judged of the candidate's attributes, and what is not.
+std::vector<std::string> remarks_on_attributes(const ViewRun& view_run, const Attributes& given) {
     const Renderer& candidate = view_run.opened.candidate;
     std::vector<std::string> remarks =
         attribute_remarks(view_run.context.scene, view_run.context.view, given, candidate.precision);
     if (candidate.labels && given.are_given())
-        remarks = {"attributes: not judged, since the frame names no triangles"};
+        remarks = {"attributes not judged: the frame names no triangles"};
     if (candidate.channels)
         for (const std::string& misnamed : misnamed_attributes(candidate.channels(view_run.context.view)))
             remarks.push_back(misnamed);
-    for (const std::string& remark : remarks) view_run.config.progress.remark(remark);
     return remarks;
 }
 
@@ -190,7 +189,7 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
     if (interrupted()) return std::nullopt;
 
     begin(view_run, "judge", &StageTimes::judge);
-    const std::vector<std::string> remarks = remark_on_attributes(view_run, given.attributes);
+    const std::vector<std::string> remarks = remarks_on_attributes(view_run, given.attributes);
     const CandidateFrame candidate =
         candidate_frame(scene, view, opened.candidate, std::move(given), reference);
     const RenderedFrame ours{candidate.frame, opened.candidate.precision},

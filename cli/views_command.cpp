@@ -14,16 +14,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<ImportedView> import_views(const ViewsArguments& arguments) {
+ImportedViews import_views(const ViewsArguments& arguments) {
     switch (arguments.source) {
         case CameraSource::opencv:
-            return import_opencv(arguments.cameras, arguments.range);
+            return {import_opencv(arguments.cameras, arguments.range)};
         case CameraSource::colmap:
             return import_colmap(arguments.cameras, arguments.range);
         case CameraSource::nerf:
             break;
     }
-    return import_nerf(arguments.cameras, arguments.range, arguments.image_size);
+    return {import_nerf(arguments.cameras, arguments.range, arguments.image_size)};
 }
 
 /// The model's path as a view file names it.
@@ -53,9 +53,11 @@ Adjustment largest_adjustment(const std::vector<ImportedView>& views) {
 
 ExitCode execute(const ViewsArguments& arguments) {
     const std::string model = model_from(arguments.common.out, arguments.model);
-    const std::vector<ImportedView> imported = import_views(arguments);
+    const auto [imported, left_out] = import_views(arguments);
     std::vector<View> views;
     for (const ImportedView& one : imported) views.push_back(one.view);
+    if (!arguments.common.is_quiet())
+        for (const std::string& images : left_out) std::cerr << "zproof: " << images << "\n";
     write_whole_file(arguments.common.out, view_document(model, views));
     const Adjustment largest = largest_adjustment(imported);
     std::cout << one_line(arguments.common.out.string()) << ": " << views.size()

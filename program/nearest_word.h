@@ -1,13 +1,12 @@
-/// "Did you mean ...?"
+/// A word that must be known.
 #pragma once
 
 #include <span>
 #include <string>
 
-namespace zproof {
+#include "frame/nearest_word.h"
 
-/// "; did you mean 'known'?" where a known word is at most two edits (insert, delete, replace) away, else "".
-std::string did_you_mean(const std::string& word, std::span<const std::string> known);
+namespace zproof {
 
 /// What a word should have named.
 struct KnownWords {

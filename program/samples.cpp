@@ -76,8 +76,8 @@ std::string sample_note(const Sample& sample) {
     const std::string place = "(" + px_text(sample.offset_px.x) + ", " + px_text(sample.offset_px.y) + ")";
     const std::string which = sample.count > 1 ? "sample " + std::to_string(sample.index) + " of 0 to " +
                                                      std::to_string(sample.count - 1) + ", "
-                                               : "sampled ";
-    return which + "at " + place + " px from each pixel's centre, x right, y down";
+                                               : "";
+    return "sampled beside the pixels' centres: " + which + place + " px, x right, y down";
 }
 
 }  // namespace zproof

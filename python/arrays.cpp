@@ -20,11 +20,13 @@ std::string came(const py::array& array) {
                           (remedy.empty() ? "" : ": " + remedy));
 }
 
+std::string type_name(const py::object& object) { return py::str(py::type::of(object).attr("__name__")); }
+
 /// An array of whatever can be asked for one without a copy.
 py::array as_array(const py::object& object, const Wanted& wanted) {
     if (py::isinstance<py::array>(object)) return py::reinterpret_borrow<py::array>(object);
     const py::module_ numpy = py::module_::import("numpy");
-    const std::string type = py::str(py::type::of(object).attr("__name__"));
+    const std::string type = type_name(object);
     try {
         if (py::hasattr(object, "__array__") || py::hasattr(object, "__array_interface__"))
             return numpy.attr("asarray")(object);
@@ -66,6 +68,24 @@ api::Size size_from(const py::object& object) {
         throw py::value_error("size is " + std::string(py::repr(object)) +
                               "; expected (width, height), whole numbers of pixels");
     }
+}
+
+py::dict views_of(const api::Scene& scene) {
+    py::dict views = py::module_::import("zproof.judging").attr("_Views")();
+    for (const api::View& view : scene.views()) views[py::str(view.name())] = view;
+    return views;
+}
+
+const api::Scene& scene_from(const py::object& object) {
+    if (py::isinstance<api::Scene>(object)) return object.cast<const api::Scene&>();
+    throw py::type_error("scene is a " + type_name(object) +
+                         "; expected a zproof.Scene, such as zproof.load() gives");
+}
+
+const api::View& view_from(const py::object& object, const api::Scene& scene) {
+    if (py::isinstance<api::View>(object)) return object.cast<const api::View&>();
+    throw py::type_error("view is a " + type_name(object) + "; expected a zproof.View" +
+                         views_of(scene).attr("example")(object).cast<std::string>());
 }
 
 template <class T>

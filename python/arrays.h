@@ -28,6 +28,13 @@ std::string path_from(const py::object& object);
 /// (width, height), whole numbers. Throws ValueError for anything else.
 api::Size size_from(const py::object& object);
 
+/// The scene, or the view of that scene, that was handed over. Throws TypeError that says what came instead.
+const api::Scene& scene_from(const py::object& object);
+const api::View& view_from(const py::object& object, const api::Scene& scene);
+
+/// The scene's views by name: zproof.judging's dict, which says what is there where a name is not.
+py::dict views_of(const api::Scene& scene);
+
 /// A C-contiguous array of T in this machine's byte order. The object may be an array, or whatever hands out
 /// one by __array__ or DLPack. Throws ValueError that names what came and what is wanted.
 template <class T>

@@ -8,6 +8,14 @@ using api::Frame;
 
 std::vector<py::ssize_t> shape_of(const Frame& frame) { return {frame.size().height, frame.size().width}; }
 
+template <Frame (*render)(const api::Scene&, const api::View&)>
+Frame frame_by(const py::object& of_scene, const py::object& of_view) {
+    const api::Scene& scene = scene_from(of_scene);
+    const api::View& view = view_from(of_view, scene);
+    const py::gil_scoped_release released;
+    return render(scene, view);
+}
+
 }  // namespace
 
 void bind_frame(py::module_& module) {
@@ -29,9 +37,9 @@ void bind_frame(py::module_& module) {
             "float32 (height, width), read-only: along the view axis, scene units; +inf where nothing is "
             "seen");
     module.def(
-        "render", &api::render, arg("scene"), arg("view"), py::call_guard<py::gil_scoped_release>(),
+        "render", &frame_by<api::render>, arg("scene"), arg("view"),
         "The view by zproof's own z-buffer rasterizer. Raises ValueError for a view that is not judged.");
-    module.def("trace", &api::trace, arg("scene"), arg("view"), py::call_guard<py::gil_scoped_release>(),
+    module.def("trace", &frame_by<api::trace>, arg("scene"), arg("view"),
                "The view by Embree, a ray through each pixel's centre. Raises ValueError as render() does.");
 }
 

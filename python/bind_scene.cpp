@@ -7,7 +7,6 @@ namespace zproof::python {
 namespace {
 
 using api::Scene;
-using api::View;
 
 /// A length that is too long for a texture becomes one that is refused as well.
 int side_of(py::ssize_t length) {
@@ -37,12 +36,6 @@ Scene scene_of(const py::object& positions, const py::object& triangles, const p
     }
     const py::gil_scoped_release released;
     return Scene{mesh};
-}
-
-py::dict views_of(const Scene& scene) {
-    py::dict views;
-    for (const View& view : scene.views()) views[py::str(view.name())] = view;
-    return views;
 }
 
 std::string text_of(const Scene& scene) {

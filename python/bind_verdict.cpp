@@ -25,8 +25,10 @@ Wanted aov(const char* name, const char* dtype, const View& view) {
                 "), the view's (height, width)"};
 }
 
-JudgedArrays judged(const Scene& scene, const View& view, const py::object& id, const py::object& depth,
-                    const std::string& precision, const std::string& ids) {
+JudgedArrays judged(const py::object& of_scene, const py::object& of_view, const py::object& id,
+                    const py::object& depth, const std::string& precision, const std::string& ids) {
+    const Scene& scene = scene_from(of_scene);
+    const View& view = view_from(of_view, scene);
     api::Candidate candidate{.precision = precision, .ids = ids};
     JudgedArrays kept{api::Verdict{nullptr}, py::none(), py::none()};
     if (!id.is_none()) {
@@ -107,21 +109,19 @@ py::list colours_of_classes() {
 std::string_view class_name(std::uint32_t pixel_class) { return api::class_names()[pixel_class]; }
 
 void bind_finding(py::module_& module) {
-    py::class_<Finding>(module, "Finding", "A pixel that does not simply agree; a row of Verdict.findings.")
-        .def_readonly("x", &Finding::x)
-        .def_readonly("y", &Finding::y)
-        .def_property_readonly("class_name",
+    py::class_<Finding> finding(module, "Finding",
+                                "A pixel that does not simply agree; a row of Verdict.findings.");
+    const auto bind = [&](const auto& field) {
+        if (std::string_view(field.first) != "class") finding.def_readonly(field.first, field.second);
+    };
+    std::apply([&](const auto&... field) { (bind(field), ...); }, api::finding_fields);
+    finding
+        .def_property_readonly("class_name",  // class is a keyword of Python
                                [](const Finding& f) { return std::string(class_name(f.pixel_class)); })
-        .def_readonly("id", &Finding::candidate_id)
-        .def_readonly("depth", &Finding::candidate_depth)
-        .def_readonly("reference_id", &Finding::reference_id)
-        .def_readonly("reference_depth", &Finding::reference_depth)
         .def_property_readonly(
             "bound",
             [](const Finding& f) { return py::make_tuple(f.depth_low, f.depth_truth, f.depth_high); },
-            "(low, truth, high): the depths that the named triangle admits; NaN for background")
-        .def_readonly("eps_px", &Finding::eps_px, "Half-side of the square that the answer was judged in.")
-        .def_readonly("error_over_bound", &Finding::error_over_bound);
+            "(low, truth, high): the depths that the named triangle admits; NaN for background");
 }
 
 void bind_explanation(py::module_& module) {

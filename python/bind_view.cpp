@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "python/arrays.h"
 #include "python/bindings.h"
@@ -59,13 +60,16 @@ py::tuple opencv_of(const View& view) {
 }
 
 View from_opencv(const py::object& K, const py::object& R, const py::object& t, const py::object& size,
-                 double near, double far, const std::string& name) {
+                 const std::optional<double>& near, double far, const std::string& name) {
+    if (!near)
+        throw py::type_error(
+            "near is missing; expected the camera depth of the near plane, which K, R and t do not have");
     // t may be a column, as OpenCV gives it
     const py::object flat_t = py::module_::import("numpy").attr("ravel")(t);
     return View::from_opencv({.K = numbers<9>(K, {"K", {3, 3}, "3 x 3 numbers"}),
                               .R = numbers<9>(R, {"R", {3, 3}, "3 x 3 numbers"}),
                               .t = numbers<3>(flat_t, {"t", {3}, "3 numbers"})},
-                             size_from(size), near, far, name);
+                             size_from(size), *near, far, name);
 }
 
 std::string text_of(const View& view) {
@@ -104,13 +108,15 @@ void bind_view(py::module_& module) {
             "An orthographic view of a window `height` scene units high; far must be finite.\n"
             "Raises ValueError for numbers out of range.")
         .def_static(
-            "from_opencv", &from_opencv, arg("K"), arg("R"), arg("t"), arg("size"), arg("near"), arg("far"),
-            arg("name") = "view",
+            "from_opencv", &from_opencv, arg("K"), arg("R"), arg("t"), arg("size"), arg("near") = py::none(),
+            arg("far") = infinity, arg("name") = "view",
             "A camera by OpenCV's conventions: p_camera = R p_world + t, x right, y down, z forward; the\n"
             "centre of the top left pixel is at (0, 0) of the image that K maps to. K: (3, 3) without skew,\n"
             "R: (3, 3), a rotation to within 1e-5, of which the nearest one in double is taken; t: 3 "
             "numbers.\n"
-            "The eye is rounded to float32: give the renderer what .opencv says. Raises ValueError.")
+            "near must be named: K, R and t have none. The eye is rounded to float32: give the renderer "
+            "what\n"
+            ".opencv says. Raises ValueError.")
         .def_property_readonly("name", &View::name)
         .def_property_readonly(
             "size", [](const View& view) { return py::make_tuple(view.size().width, view.size().height); },

@@ -5,6 +5,7 @@
 
 #include "reports/diagnosis_words.h"
 #include "reports/extent.h"
+#include "reports/notes.h"
 #include "reports/renderer_record.h"
 #include "reports/wording.h"
 
@@ -211,7 +212,8 @@ std::string summary_table(const Results& results, Colour colour) {
     std::string text = results.views.empty() ? "" : table(results, colour);
     for (const ViewResult* v : failed_first(results))
         if (v->outcome != Outcome::proven) text += "\n" + story(*v, colour);
-    return text + "\n" + oracle_lines(results) + outcomes(results, colour) + "\n" + totals(results) + "\n";
+    return text + "\n" + note_lines(results) + oracle_lines(results) + outcomes(results, colour) + "\n" +
+           totals(results) + "\n";
 }
 
 }  // namespace zproof

@@ -22,6 +22,7 @@ constexpr std::uint64_t image_side = 16384;                      ///< texels
 constexpr std::uint64_t image_texels = std::uint64_t{1} << 26;   ///< each image
 constexpr std::uint64_t all_texels = std::uint64_t{1} << 28;     ///< all images of a scene together
 constexpr int jpeg_scans = 256;                                  ///< progressive passes of one JPEG
+constexpr std::uint64_t ear_tests = std::uint64_t{1} << 30;      ///< corners squared, of all concave faces
 constexpr int uv_sets = 8;                                       ///< TEXCOORD_0 to TEXCOORD_7
 
 /// Integers in JSON beyond this are refused, so that none is cut where an int keeps it, and sums

@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "scenes/concave_faces.h"
 #include "scenes/limits.h"
 #include "scenes/obj_materials.h"
 #include "scenes/refusal.h"
@@ -34,6 +36,17 @@ std::string_view next_word(std::string_view& text) {
 std::string_view trimmed(std::string_view text) {
     text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
     return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+/// Keywords of OBJ that are read, counted, or change no triangle. What is not among them is a fault.
+bool is_known(std::string_view keyword) {
+    static const std::set<std::string_view> words{
+        "v",        "vt",       "vn",         "vp",        "f",     "l",     "p",     "o",
+        "g",        "s",        "mg",         "end",       "con",   "deg",   "lod",   "mtllib",
+        "usemtl",   "maplib",   "usemap",     "bmat",      "step",  "curv",  "curv2", "surf",
+        "parm",     "trim",     "hole",       "scrv",      "sp",    "call",  "csh",   "bevel",
+        "c_interp", "d_interp", "shadow_obj", "trace_obj", "ctech", "stech", "cstype"};
+    return keyword.empty() || keyword[0] == '#' || words.contains(keyword);
 }
 
 /// A face's corner: position, uv and normal, absent where the corner names none.
@@ -89,6 +102,8 @@ class ObjReader {
         if (keyword == "mtllib") read_obj_materials(file_, place_, std::string(trimmed(line)), scene_);
         if (keyword == "usemtl") material_ = on_one_line(trimmed(line));
         skipped_ += keyword == "l" || keyword == "p" || keyword == "curv" || keyword == "surf";
+        if (!is_known(keyword) && unknown_lines_++ == 0)
+            first_unknown_ = on_one_line(", the first \"" + std::string(keyword) + "\" in " + place_);
     }
 
     Scene scene() {
@@ -98,9 +113,12 @@ class ObjReader {
                        "index " + std::to_string(list.furthest + 1) + "; the file has " +
                            std::to_string(list.count) + " lines " + list.keyword + ": export the file again");
         bake_vertices();
+        cut_concave_faces(polygons_, scene_);
         drop_textures_without_uv(scene_);
+        note_count(scene_, unknown_lines_, "lines of an unknown keyword skipped", first_unknown_);
+        note_count(scene_, unknown_materials_.size(), "unknown materials, white", first_unknown_material_);
         note_count(scene_, skipped_, "points, lines and curves skipped");
-        note_count(scene_, without_area_, "faces of fewer than three corners skipped");
+        note_count(scene_, too_short_, "faces of fewer than three corners skipped");
         note_count(scene_, bad_normals_, "vn that are not finite, read as without one");
         note_triangles(scene_);
         return std::move(scene_);
@@ -176,18 +194,20 @@ class ObjReader {
         polygon_.clear();
         for (std::string_view word = next_word(text); !word.empty() && word[0] != '#'; word = next_word(text))
             polygon_.push_back(vertex(word));
-        without_area_ += polygon_.size() < 3;
+        too_short_ += polygon_.size() < 3;
         if (polygon_.size() < 3) return;
-        const std::size_t first = scene_.triangles.size();
         Part& of_face = part();
-        append_fan(file_, place_, polygon_, scene_);
-        of_face.triangle_count += static_cast<std::uint32_t>(scene_.triangles.size() - first);
+        const TriangleRun fan = append_fan(file_, place_, polygon_, scene_);
+        of_face.triangle_count += fan.count;
+        if (fan.count > 1) polygons_.push_back(fan);
     }
 
-    int material_index() const {
+    int material_index() {
         if (material_.empty()) return 0;
         for (std::size_t i = scene_.materials.size(); i-- > 1;)
             if (scene_.materials[i].name == material_) return static_cast<int>(i);
+        if (unknown_materials_.empty()) first_unknown_material_ = ", the first \"" + material_ + "\"";
+        unknown_materials_.insert(material_);
         return 0;
     }
 
@@ -237,9 +257,12 @@ class ObjReader {
     std::array<Indexed, 3> lists_{Indexed{"v"}, Indexed{"vt"}, Indexed{"vn"}};
     CornerVertices vertices_;
     std::vector<std::uint32_t> polygon_;  ///< the face that is read, kept for its memory
+    std::vector<TriangleRun> polygons_;   ///< faces of more than three corners
     std::map<std::string, int> nodes_;
     std::map<int, int> parts_of_node_;
-    std::uint64_t skipped_ = 0, without_area_ = 0, bad_normals_ = 0;
+    std::set<std::string> unknown_materials_;
+    std::string first_unknown_, first_unknown_material_;
+    std::uint64_t skipped_ = 0, too_short_ = 0, bad_normals_ = 0, unknown_lines_ = 0;
 };
 
 /// Calls read(line, number) for every line; one that ends in a backslash goes on in the next.
@@ -273,7 +296,7 @@ Scene load_obj_scene(const Path& file) {
     const Bytes bytes = read_file(file, limits::file_bytes);
     if (bytes.empty()) refuse(file, "file", "is empty; expected a Wavefront OBJ");
     ObjReader reader(file);
-    for_each_line({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+    for_each_line(text_in(file, bytes),
                   [&](std::string_view line, std::size_t number) { reader.read(line, number); });
     return reader.scene();
 }

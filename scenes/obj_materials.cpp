@@ -67,7 +67,7 @@ void append(const Path& file, const std::string& place, const Path& folder,
                 image_index(file, place, name.lexically_normal().generic_string(), scene);
         }
     } catch (const std::runtime_error& error) {
-        scene.notes.push_back(on_one_line("material " + baked.name + " untextured: " + error.what()));
+        scene.notes.push_back(on_one_line("materials untextured: " + baked.name + ": " + error.what()));
     }
     if (material.diffuse_texopt.clamp)
         baked.base_color.sampler.wrap_u = baked.base_color.sampler.wrap_v = Wrap::clamp_to_edge;
@@ -78,14 +78,13 @@ void append(const Path& file, const std::string& place, const Path& folder,
 
 void read_obj_materials(const Path& file, const std::string& place, std::string name, Scene& scene) {
     name = with_slashes(std::move(name));
-    Bytes bytes;
+    std::istringstream text;
     try {
-        bytes = bytes_beneath(file, place, name);
+        text.str(std::string(text_in(name, bytes_beneath(file, place, name))));
     } catch (const SceneError& error) {
         scene.notes.push_back(on_one_line(std::string("materials white: ") + error.what()));
         return;
     }
-    std::istringstream text(std::string(bytes.begin(), bytes.end()));
     std::map<std::string, int> by_name;
     std::vector<tinyobj::material_t> materials;
     std::string warning, error;

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scenes/concave_faces.h"
 #include "scenes/limits.h"
 #include "scenes/ply_header.h"
 #include "scenes/refusal.h"
@@ -47,7 +48,10 @@ class PlyValues {
 
     /// A whole number from 0 to `most`.
     std::uint64_t next_whole(PlyType type, std::uint64_t most, const std::string& what) {
-        const double value = next(type);
+        return whole(next(type), most, what);
+    }
+
+    std::uint64_t whole(double value, std::uint64_t most, const std::string& what) const {
         if (!(value >= 0 && value <= static_cast<double>(most)) || value != std::floor(value))
             refuse_here("expected " + what + " from 0 to " + std::to_string(most) +
                         "; export the file again");
@@ -143,14 +147,15 @@ class PlyReader {
         for (const PlyElement& element : header_.elements)
             if (element.name == "vertex")
                 vertices(element);
-            else if (element.name == "face")
+            else if (element.name == "face" || element.name == "tristrips")
                 faces(element);
             else
                 others(element);
         if (!scene_.triangles.empty())
             scene_.parts.push_back(
                 {scene_.name, scene_.name, 0, 0, std::uint32_t(scene_.triangles.size()), 0, 0});
-        note_count(scene_, without_area_, "faces of fewer than three corners skipped");
+        cut_concave_faces(polygons_, scene_);
+        note_count(scene_, too_short_, "faces of fewer than three corners skipped");
         note_count(scene_, bad_normals_, "vertices whose normal is not finite, read as without one");
         note_triangles(scene_);
         return std::move(scene_);
@@ -163,7 +168,7 @@ class PlyReader {
     }
 
     void others(const PlyElement& element) {
-        scene_.notes.push_back(on_one_line("element " + element.name + " skipped"));
+        scene_.notes.push_back(on_one_line("elements skipped: " + element.name));
         for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
             values_.begin(element.name, i);
             for (const PlyProperty& property : element.properties) skip(property);
@@ -221,28 +226,53 @@ class PlyReader {
     void faces(const PlyElement& element) {
         const auto lists = std::ranges::count_if(element.properties, is_list_of_corners);
         if (lists != 1)
-            refuse(file_, "element face",
+            refuse(file_, "element " + element.name,
                    "expected one list vertex_indices or vertex_index; export the file again");
-        const std::uint64_t vertices = scene_.vertices.position_world.size();
-        if (vertices == 0 && element.count > 0)
-            refuse(file_, "element face", "expected the vertices before the faces; export the file again");
+        if (scene_.vertices.position_world.empty() && element.count > 0)
+            refuse(file_, "element " + element.name,
+                   "expected the vertices before it; export the file again");
         for (std::uint64_t i = 0; i < element.count; ++i) {
             values_.begin(element.name, i);
             for (const PlyProperty& property : element.properties)
-                if (is_list_of_corners(property))
-                    face(property, vertices, "face " + std::to_string(i));
-                else
+                if (!is_list_of_corners(property))
                     skip(property);
+                else if (element.name == "face")
+                    face(property, "face " + std::to_string(i));
+                else
+                    strips(property, "tristrips " + std::to_string(i));
         }
     }
 
-    void face(const PlyProperty& property, std::uint64_t vertices, const std::string& place) {
-        polygon_.resize(values_.next_length(*property.count_type));
-        for (std::uint32_t& corner : polygon_)
-            corner = static_cast<std::uint32_t>(
-                values_.next_whole(property.type, vertices - 1, "an index of a vertex"));
-        without_area_ += polygon_.size() < 3;
-        append_fan(file_, place, polygon_, scene_);
+    std::uint32_t corner(double value) const {
+        return static_cast<std::uint32_t>(
+            values_.whole(value, scene_.vertices.position_world.size() - 1, "an index of a vertex"));
+    }
+
+    void face(const PlyProperty& property, const std::string& place) {
+        corners_.resize(values_.next_length(*property.count_type));
+        for (std::uint32_t& each : corners_) each = corner(values_.next(property.type));
+        too_short_ += corners_.size() < 3;
+        if (const TriangleRun fan = append_fan(file_, place, corners_, scene_); fan.count > 1)
+            polygons_.push_back(fan);
+    }
+
+    /// Strips one behind the other, between which stands -1.
+    void strips(const PlyProperty& property, const std::string& place) {
+        corners_.clear();
+        for (std::uint64_t left = values_.next_length(*property.count_type); left > 0; --left) {
+            const double value = values_.next(property.type);
+            if (value != -1) corners_.push_back(corner(value));
+            if (value == -1 || left == 1) end_strip(place);
+        }
+    }
+
+    void end_strip(const std::string& place) {
+        check_triangles(file_, place, scene_.triangles.size() + corners_.size());
+        for (std::uint32_t i = 0; i + 2 < corners_.size(); ++i) {
+            const glm::uvec3 at = corners_in_strip(i);
+            scene_.triangles.emplace_back(corners_[at.x], corners_[at.y], corners_[at.z]);
+        }
+        corners_.clear();
     }
 
     const Path& file_;
@@ -250,15 +280,16 @@ class PlyReader {
     PlyValues values_;
     Scene scene_;
     bool has_normals_ = false;
-    std::vector<std::uint32_t> polygon_;  ///< the face that is read, kept for its memory
-    std::uint64_t without_area_ = 0, bad_normals_ = 0;
+    std::vector<std::uint32_t> corners_;  ///< of the face or strip that is read, kept for its memory
+    std::vector<TriangleRun> polygons_;   ///< faces of more than three corners
+    std::uint64_t too_short_ = 0, bad_normals_ = 0;
 };
 
 }  // namespace
 
 Scene load_ply_scene(const Path& file) {
     const Bytes bytes = read_file(file, limits::file_bytes);
-    const std::string_view content(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::string_view content = text_in(file, bytes);
     const PlyHeader header = ply_header(file, content);
     return PlyReader(file, header, content.substr(header.bytes)).scene();
 }

@@ -40,16 +40,22 @@ glm::vec3 unit_normal(const glm::dvec3& normal) {
 
 glm::vec2 uv_of_v_up(float u, float v) { return {u, static_cast<float>(1.0 - double{v})}; }
 
-void append_fan(const std::filesystem::path& file, std::string_view place,
-                std::span<const std::uint32_t> corners, Scene& scene) {
-    if (scene.triangles.size() + corners.size() > limits::triangles)
+void check_triangles(const std::filesystem::path& file, std::string_view place, std::uint64_t count) {
+    if (count > limits::triangles)
         refuse(file, place, "more than " + std::to_string(limits::triangles) + " triangles; split the scene");
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-        scene.triangles.emplace_back(corners[0], corners[i], corners[i + 1]);
 }
 
-void note_count(Scene& scene, std::uint64_t count, const std::string& text) {
-    if (count > 0) scene.notes.push_back(text + ": " + std::to_string(count));
+TriangleRun append_fan(const std::filesystem::path& file, std::string_view place,
+                       std::span<const std::uint32_t> corners, Scene& scene) {
+    const std::size_t first = scene.triangles.size();
+    check_triangles(file, place, first + corners.size());
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+        scene.triangles.emplace_back(corners[0], corners[i], corners[i + 1]);
+    return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(scene.triangles.size() - first)};
+}
+
+void note_count(Scene& scene, std::uint64_t count, const std::string& text, const std::string& more) {
+    if (count > 0) scene.notes.push_back(text + ": " + std::to_string(count) + more);
 }
 
 void note_triangles(Scene& scene) {

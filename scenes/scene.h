@@ -89,7 +89,7 @@ struct Scene {
     std::vector<Part> parts;          ///< in triangle order, covering every triangle
     std::vector<Material> materials;  ///< at least one where there are parts
     std::vector<Image> images;
-    std::vector<std::string> notes;  ///< what baking left out or chose, one line each, for the report
+    std::vector<std::string> notes;  ///< what baking left out or chose: "KIND", or "KIND: MORE"
 };
 
 }  // namespace zproof

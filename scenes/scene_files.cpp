@@ -91,6 +91,13 @@ Bytes read_file(const fs::path& file, std::uint64_t limit) {
     return content;
 }
 
+std::string_view text_in(const fs::path& file, std::span<const unsigned char> bytes) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        refuse(file, "byte 0", "is UTF-16; expected UTF-8: save or export the file again");
+    return text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size()) : text;
+}
+
 void read_first(const fs::path& file, std::span<unsigned char> to) {
     constexpr std::size_t worth_a_task = std::size_t{1} << 20;
     std::atomic<bool> is_whole = true;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "math/bulk.h"
 
@@ -15,6 +16,12 @@ using Bytes = Bulk<unsigned char>;
 
 /// Reads a regular file of at most limit bytes. Throws SceneError for anything else.
 Bytes read_file(const std::filesystem::path& file, std::uint64_t limit);
+
+/// Of UTF-8. It is no part of the text.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// The bytes as UTF-8, without a byte order mark. Throws SceneError for UTF-16.
+std::string_view text_in(const std::filesystem::path& file, std::span<const unsigned char> bytes);
 
 /// Fills the span with the file's first bytes, on all threads: most of the time goes by in fetching memory
 /// for them. Throws SceneError where there are fewer.

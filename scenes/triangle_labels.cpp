@@ -6,6 +6,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "frame/input_file.h"
+#include "frame/joined.h"
+#include "frame/nearest_word.h"
 #include "scenes/cryptomatte.h"
 #include "scenes/json_text.h"
 #include "scenes/refusal.h"
@@ -82,6 +85,15 @@ const std::vector<std::string>& label_words() {
     return words;
 }
 
+std::string fault_of_label_word(const std::string& word) {
+    if (std::ranges::count(label_words(), word) > 0) return "";
+    const std::string fault = fault_of_input(word);
+    return fault.empty()
+               ? ""
+               : fault + "; expected " + joined(label_words()) +
+                     " or a JSON file with a label for each triangle" + did_you_mean(word, label_words());
+}
+
 TriangleLabels label_triangles(const std::string& word, const Scene& scene) {
     if (word == "none")
         return {.ids = word,
@@ -150,7 +162,7 @@ class LabelList {
 
 std::vector<std::uint32_t> read_label_file(const Path& file, std::size_t triangles) {
     const Bytes text = read_file(file, largest_file);
-    const json list = parse_json(file, {reinterpret_cast<const char*>(text.data()), text.size()});
+    const json list = parse_json(file, text_in(file, text));
     if (!list.is_array()) refuse(file, "/", what_a_list_holds);
     LabelList labels(file, triangles);
     for (std::size_t i = 0; i < list.size(); ++i) labels.add(i, list[i]);

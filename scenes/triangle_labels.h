@@ -24,6 +24,9 @@ struct TriangleLabels {
 /// The words that label_triangles() knows, "triangle" and "none" among them.
 const std::vector<std::string>& label_words();
 
+/// What is wrong with a word that should be one of them or name a file, and what was expected; or nothing.
+std::string fault_of_label_word(const std::string& word);
+
 /// The labels that a word stands for: one of label_words() but "triangle", or a file
 /// (scenes/triangle_labels.h). Throws SceneError for a file that cannot be read or does not fit the scene.
 TriangleLabels label_triangles(const std::string& word, const Scene& scene);

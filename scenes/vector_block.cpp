@@ -39,6 +39,14 @@ void add_to_all(Coordinates& all, const glm::dvec3& vector) {
     }
 }
 
+void add_weighted(Coordinates& all, double weight, const Coordinates& other) {
+    for (std::size_t i = 0; i < all.size; ++i) {
+        all.x[i] += weight * other.x[i];
+        all.y[i] += weight * other.y[i];
+        all.z[i] += weight * other.z[i];
+    }
+}
+
 void normalize_all(Coordinates& all) {
     for (std::size_t i = 0; i < all.size; ++i) {
         const double length = std::sqrt(all.x[i] * all.x[i] + all.y[i] * all.y[i] + all.z[i] * all.z[i]);
@@ -63,6 +71,9 @@ void write_all(const Coordinates& all, float* numbers) {
 void VectorBlock::read(const unsigned char* packed) { widest<read_packed>(all_, packed); }
 void VectorBlock::multiply(const glm::dmat3& matrix) { widest<multiply_all>(all_, matrix); }
 void VectorBlock::add(const glm::dvec3& vector) { widest<add_to_all>(all_, vector); }
+void VectorBlock::add(double weight, const VectorBlock& other) {
+    widest<add_weighted>(all_, weight, other.all_);
+}
 void VectorBlock::normalize() { widest<normalize_all>(all_); }
 void VectorBlock::write(std::span<glm::vec3> to) const { widest<write_all>(all_, &to.data()->x); }
 

@@ -31,6 +31,8 @@ class VectorBlock {
     void read(const unsigned char* packed);
     void multiply(const glm::dmat3& matrix);
     void add(const glm::dvec3& vector);
+    /// To each the vector that has its place in the other block, of the same size, times the weight.
+    void add(double weight, const VectorBlock& other);
     /// Divides each by its length; those without a direction (length 0, infinite or no number) become 0.
     void normalize();
     /// Writes all vectors, each rounded once.

@@ -193,7 +193,7 @@ Path model_of(const Path& file, const std::string& relative, const Path& models)
 
 Loaded load_view_file(const std::filesystem::path& file, const std::filesystem::path& models) {
     const Bytes bytes = read_file(file, largest_view_file);
-    const json content = parse_json(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    const json content = parse_json(file, text_in(file, bytes));
     const LocatedValue root(file, content, "");
     root.allow({"scene", "views"});
     std::vector<View> views = views_at(root.at("views"));

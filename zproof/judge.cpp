@@ -5,7 +5,9 @@
 #include "frame/joined.h"
 #include "frame/precision_presets.h"
 #include "frame/precision_text.h"
+#include "frame/printable.h"
 #include "scenes/judged_ranges.h"
+#include "scenes/triangle_labels.h"
 #include "zproof/data.h"
 #include "zproof/errors.h"
 #include "zproof/finding.h"
@@ -23,13 +25,20 @@ void require_length(const char* what, std::size_t length, const View& view) {
                      std::to_string(view.size().height) + " = " + std::to_string(pixels)};
 }
 
+/// A word for ids, or a file of labels.
+void require_ids(const std::string& ids) {
+    require_no_nul("judge: ids", ids);
+    if (const std::string fault = fault_of_label_word(ids); !fault.empty())
+        throw InputError{"judge: ids " + one_line(ids) + ": " + fault};
+}
+
 std::string preset_names() { return joined(precision_presets(), ", ", &PrecisionPreset::name); }
 
 Declared declared(const Scene& scene, const Candidate& candidate) {
     if (candidate.id.empty() && candidate.depth.empty())
         throw InputError{"judge: neither ids nor depths; expected at least one of them"};
     require_no_nul("judge: precision", candidate.precision);
-    require_no_nul("judge: ids", candidate.ids);
+    require_ids(candidate.ids);
     if (candidate.precision.empty())
         throw InputError{"judge: no precision; expected what the renderer promises: a preset (" +
                          preset_names() + "), words like 'raster,subpixel_bits=4', or a file"};

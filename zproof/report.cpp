@@ -25,9 +25,11 @@ constexpr const char* input_suffix = "-input";
 constexpr std::chrono::hours longest_run{1};
 constexpr int proven = 0, defective = 1, undecided = 3;  // docs/cli.md
 
+/// By its whole path, where it is not looked for on PATH.
 std::string program() {
     const char* named = std::getenv("ZPROOF_PROGRAM");
-    return named && *named ? named : "zproof";
+    const std::string word = named && *named ? named : "zproof";
+    return word.find('/') == std::string::npos ? word : fs::absolute(word).string();
 }
 
 /// Settings for the program that this process has in its environment are meant for other runs; a verdict has
@@ -42,26 +44,20 @@ Words without_settings() {
     return words;
 }
 
-void run_program(const Words& words, int expected_status) {
+/// Run in the folder, so that the report's commands name its files as they lie beside it.
+void run_program(const fs::path& folder, const Words& words, int expected_status) {
     Words command = without_settings();
     command.push_back(program());
     command.insert(command.end(), words.begin(), words.end());
-    const oracle::Outcome outcome = oracle::run({.arguments = command, .time_limit = longest_run});
+    const oracle::Outcome outcome =
+        oracle::run({.arguments = command, .folder = folder, .time_limit = longest_run});
     if (outcome.ending == oracle::Ending::exited && outcome.code == expected_status) return;
     throw std::runtime_error{program() + " " + words.front() + ": " + oracle::in_words(outcome, longest_run) +
                              ": " + oracle::last_output(outcome)};
 }
 
-/// What the program is given of a verdict.
-struct InputFiles {
-    fs::path view, frame;
-    std::string precision, ids;
-};
-
-/// The precision's own words, or the whole path of its file.
-std::string precision_word(const std::string& word) {
-    return is_promise_in_words(word) ? word : fs::absolute(word).string();
-}
+constexpr const char* labels_file = "labels.json";
+constexpr const char* precision_file = "precision.json";
 
 /// The frame with labels in the places of triangles, as the candidate gave it. What means background to
 /// Cryptomatte is written as everywhere else.
@@ -76,30 +72,46 @@ zproof::Frame written_frame(const Verdict::Data& data) {
     return frame;
 }
 
-constexpr const char* labels_file = "labels.json";
-
 /// What --ids is given. The written scene is one mesh at one node: labels are listed triangle by triangle in
-/// a file, whose name it is then.
-std::string write_ids(const Declared& declared, const fs::path& folder) {
+/// a file.
+std::string write_ids(const Declared& declared, const fs::path& folder, const fs::path& published) {
     if (!declared.labels || declared.labels->are_absent) return declared.ids;
     std::string list;
     for (const std::uint32_t label : declared.labels->of_triangle)
         list += (list.empty() ? "[" : ",") + std::to_string(label);
     write_whole_file(folder / labels_file, list + "]");
-    return labels_file;
+    return (published / labels_file).string();
 }
 
-/// The folder appears whole or not at all, and replaces only what this function wrote.
-InputFiles write_input(const std::string& name, const Verdict::Data& data, const fs::path& folder) {
-    OutputFolder out{folder};
+/// What --precision is given: words, or a copy of the file.
+std::string write_precision(const std::string& word, const fs::path& folder, const fs::path& published) {
+    if (is_promise_in_words(word)) return word;
+    fs::copy_file(word, folder / precision_file);
+    return (published / precision_file).string();
+}
+
+/// The name of a file in the working folder, as no option.
+std::string as_word(const std::string& name) { return name.starts_with('-') ? "./" + name : name; }
+
+/// Writes what the program is given of a verdict into home/NAME-input. Gives the words that name it from
+/// home. The folder appears whole or not at all, and replaces only what this function wrote.
+Words write_input(const std::string& name, const Verdict::Data& data, const fs::path& home,
+                  const std::string& folder) {
+    OutputFolder out{home / folder};
     Loaded loaded{data.scene.data().scene, {data.view.data().view}};
     loaded.scene.name = name;
     write_glb(out.working(), loaded);
     write_frame(out.working() / (name + ".exr"), written_frame(data));
-    const std::string ids = write_ids(data.declared, out.working());
+    Words words{
+        (fs::path(folder) / (name + ".exr")).string(),
+        (fs::path(folder) / (name + ".view.json")).string(),
+        "--precision",
+        write_precision(data.declared.precision_word, out.working(), folder),
+        "--ids",
+        write_ids(data.declared, out.working(), folder),
+    };
     [[maybe_unused]] const auto kept = out.publish();
-    return {folder / (name + ".view.json"), folder / (name + ".exr"),
-            precision_word(data.declared.precision_word), ids == labels_file ? (folder / ids).string() : ids};
+    return words;
 }
 
 fs::path without_slash(const std::string& folder) {
@@ -117,11 +129,12 @@ int expected_status(const Verdict& verdict) {
 
 /// A further oracle would judge itself, not the candidate.
 void save_as(const std::string& name, const Verdict& verdict, const fs::path& folder) {
-    const InputFiles input = write_input(name, verdict.data(), folder.string() + input_suffix);
-    run_program(
-        {"compare", input.frame.string(), input.view.string(), "--precision", input.precision, "--ids",
-         input.ids, "--oracle", "none", "--config", "none", "-o", folder.string(), "--quiet"},
-        expected_status(verdict));
+    const fs::path home = folder.parent_path();
+    const std::string base = as_word(folder.filename().string());
+    Words words = write_input(name, verdict.data(), home, base + input_suffix);
+    words.insert(words.begin(), "compare");
+    words.insert(words.end(), {"--oracle", "none", "--config", "none", "-o", base, "--quiet"});
+    run_program(home, words, expected_status(verdict));
     if (!fs::exists(folder / "results.json"))
         throw std::runtime_error{folder.string() + ": no report was written"};
 }
@@ -149,18 +162,12 @@ void save(std::span<const NamedVerdict> verdicts, const std::string& folder) {
     require_names(verdicts);
     told_as_input_error([&] {
         const fs::path home = without_slash(folder);
-        Words folders;
-        for (const auto& [name, verdict] : verdicts) {
-            save_as(name, verdict, home / name);
-            folders.push_back((home / name).string());
-        }
+        for (const auto& [name, verdict] : verdicts) save_as(name, verdict, home / name);
         for (const char* file : {"report.html", "results.json", "junit.xml"}) {
             Words words{"report"};
-            words.insert(words.end(), folders.begin(), folders.end());
-            for (const std::string& word :
-                 {std::string("-o"), (home / file).string(), std::string("--quiet")})
-                words.push_back(word);
-            run_program(words, proven);
+            for (const auto& [name, verdict] : verdicts) words.push_back(as_word(name));
+            words.insert(words.end(), {"-o", file, "--quiet"});
+            run_program(home, words, proven);
         }
     });
 }

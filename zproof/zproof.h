@@ -264,9 +264,10 @@ Verdict judge(const Scene& scene, const View& view, const Candidate& candidate);
 
 /// Writes report.html, results.json and the evidence, as `zproof compare` does: by that program, which is
 /// looked for on PATH, or is the one that the environment variable ZPROOF_PROGRAM names. What it was given
-/// (scene, view, frame) stays in FOLDER-input, so that the report's commands can be repeated. A folder that
-/// is no report of zproof is never replaced. `name` is the scene's in the report; empty: its own. Throws
-/// std::runtime_error with the program's own words, InputError for a name that is not usable.
+/// (scene, view, frame, a file of the precision) stays in FOLDER-input. The report's commands can be repeated
+/// where both folders lie, also when they were moved. A folder that is no report of zproof is never replaced.
+/// `name` is the scene's in the report; empty: its own. Throws std::runtime_error with the program's own
+/// words, InputError for a name that is not usable.
 void save(const Verdict& verdict, const std::string& folder, const std::string& name = "");
 
 /// One report of many verdicts, and in FOLDER/NAME that of each. A name is its scene's in the report: as a

@@ -37,13 +37,9 @@ RendererChoice renderer_from_word(const std::string& word) {
 }
 
 std::string ids_from_word(const std::string& word) {
-    if (std::ranges::count(label_words(), word) > 0) return word;
-    const std::string fault = fault_of_input(word);
+    const std::string fault = fault_of_label_word(word);
     if (fault.empty()) return word;
-    std::string words;
-    for (const std::string& known : label_words()) words += known + ", ";
-    throw UsageError{"--ids " + word + ": " + fault + "; expected " + words +
-                     "or a JSON file with a label for each triangle" + did_you_mean(word, label_words())};
+    throw UsageError{"--ids " + word + ": " + fault};
 }
 
 bool are_the_usual(const ChosenRenderers& renderers) {

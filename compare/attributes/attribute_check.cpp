@@ -85,10 +85,10 @@ std::vector<std::string> unjudged_attributes(const Scene& scene, const View& vie
     for (const Attribute attribute : given_attributes(given)) {
         const std::string name{name_of(attribute)};
         if (!promises_attributes(precision, view.camera.projection))
-            reasons.push_back(
-                name + ": not judged, since the declared precision says nothing of interpolation here");
+            reasons.push_back(name +
+                              " not judged: the declared precision says nothing of interpolation here");
         else if (!scene_has(scene, attribute))
-            reasons.push_back(name + ": not judged, since the scene has none");
+            reasons.push_back(name + " not judged: the scene has none");
     }
     return reasons;
 }

@@ -357,13 +357,30 @@ def pytest_runtest_logreport(report):
                                        ("picture_test.test_bad", "defective")]
 
 
-def test_an_installed_zproof_is_found_by_pytest(tmp_path):
+@pytest.mark.parametrize("named", [(), ("-p", "zproof.pytest_plugin")])
+def test_an_installed_zproof_is_found_by_pytest(tmp_path, named):
     written = HERE.parent / "dist-info"
     installed = tmp_path / "site/zproof-1.2.3.dist-info"
     installed.mkdir(parents=True)
     (installed / "entry_points.txt").write_text((written / "entry_points.txt").read_text())
     metadata = (written / "METADATA.in").read_text().replace("@PROJECT_VERSION@", "1.2.3")
     (installed / "METADATA").write_text(metadata)
-    ran = Ran(tmp_path, GOOD, plugin=(), paths=[tmp_path / "site"], PYTEST_DISABLE_PLUGIN_AUTOLOAD="")
+    ran = Ran(tmp_path, GOOD, plugin=named, paths=[tmp_path / "site"], PYTEST_DISABLE_PLUGIN_AUTOLOAD="")
     assert ran.status == 0 and "zproof-1.2.3" in ran.said, ran.said
     assert ran.lines == ["zproof: 1 of 1 verdicts proven"]
+
+
+def test_the_reports_commands_can_be_repeated_where_it_was_moved(tmp_path, program):
+    """The page of zproof run, whose paths are relative."""
+    ran = Ran(tmp_path, GOOD + BAD, "--zproof-report", "out")
+    assert ran.status == 1
+    moved = (tmp_path / "out").rename(tmp_path / "moved")
+    for file in ("report.html", "results.json"):
+        assert str(tmp_path) not in (moved / file).read_text(), file
+    bad = json.loads((moved / "results.json").read_text())["views"][1]
+    command = bad["worst"][0]["command"]
+    name = "picture_test.test_bad"
+    assert command.startswith(f"zproof explain {name}-input/{name}.view.json 36 28 ")
+    words = [program, *command.split()[1:]]
+    told = subprocess.run(words, cwd=moved, capture_output=True, text=True, check=False)
+    assert told.returncode == 1 and "pixel (36, 28): hidden, FAIL" in told.stdout, told.stdout + told.stderr

@@ -323,3 +323,44 @@ def test_layers_are_seen_as_they_are_described():
     ids, depths = traced(layers(), view())
     assert set(np.unique(ids)) == {0, 1, zproof.BACKGROUND_ID}
     assert np.allclose(depths[ids < 2], 3)
+
+
+# ---- what is not there is told in one line ----
+
+
+def told(call):
+    with pytest.raises((TypeError, ValueError, KeyError)) as raised:
+        call()
+    said = str(raised.value)
+    assert "\n" not in said and len(said) < 300, said
+    return said
+
+
+def test_a_view_that_is_none_is_told_with_those_that_are():
+    room = zproof.load("room", size=(40, 30))
+    assert told(lambda: room.views["dor"]) == (
+        "\"'dor' is no view of the scene; expected one of: door, floor; did you mean 'door'?\"")
+    assert "mean" not in told(lambda: room.views[3]) and room.views.get("dor") is None
+    example = "view is a str; expected a zproof.View, such as scene.views['floor']"
+    ids = np.zeros((30, 40), np.uint32)
+    for take in (zproof.trace, zproof.render,
+                 lambda scene, view: zproof.judge(scene, view, id=ids, precision="opengl")):
+        assert told(lambda: take(room, "flor")) == example
+        said = told(lambda: take("room", room.views["door"]))
+        assert said.startswith("scene is a str; expected a zproof.Scene"), said
+    bare = zproof.Scene(np.zeros((3, 3), np.float32), np.zeros((1, 3), np.uint32))
+    assert told(lambda: zproof.trace(bare, None)) == "view is a NoneType; expected a zproof.View"
+
+
+def test_what_opencv_has_not_is_asked_for():
+    parts = np.eye(3), np.eye(3), np.zeros(3), (40, 30)
+    assert told(lambda: zproof.View.from_opencv(*parts)).startswith("near is missing; expected ")
+    assert zproof.View.from_opencv(*parts, near=1).far == np.inf
+
+
+def test_unknown_ids_are_told_with_the_known():
+    room = zproof.load("room", size=(40, 30))
+    ids = np.zeros((30, 40), np.uint32)
+    said = told(lambda: zproof.judge(room, room.views["door"], id=ids, precision="opengl", ids="materiel"))
+    assert said.startswith("judge: ids materiel: no such file; expected triangle, none, "), said
+    assert said.endswith("; did you mean 'material'?"), said

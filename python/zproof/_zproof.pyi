@@ -50,8 +50,8 @@ class View:
         R: ArrayLike,
         t: ArrayLike,
         size: tuple[int, int],
-        near: float,
-        far: float,
+        near: float | None = None,
+        far: float = ...,
         name: str = "view",
     ) -> View: ...
     @property
@@ -129,6 +129,14 @@ class Finding:
     def eps_px(self) -> float: ...
     @property
     def error_over_bound(self) -> float: ...
+    @property
+    def is_defect(self) -> int: ...
+    @property
+    def depth_low(self) -> float: ...
+    @property
+    def depth_truth(self) -> float: ...
+    @property
+    def depth_high(self) -> float: ...
 
 @final
 class NearTriangle:

@@ -1,5 +1,6 @@
 """The judge, as Python calls it."""
 
+import difflib
 import numbers
 import os
 
@@ -31,6 +32,24 @@ def _value(key, value):
     if isinstance(value, (str, numbers.Real)) and "," not in str(value):
         return str(value)
     raise ValueError(f"precision: {key!r} is {value!r}; expected a word, a number, True or False")
+
+
+class _Views(dict):
+    """A scene's views by name."""
+
+    def __missing__(self, name):
+        meant = self._nearest(name)
+        raise KeyError(f"{name!r} is no view of the scene; expected one of: {', '.join(self)}"
+                       + (f"; did you mean {meant!r}?" if meant else ""))
+
+    def example(self, given):
+        """How a view is named, for what was given instead; "" where the scene has none."""
+        name = self._nearest(given) or next(iter(self), None)
+        return "" if name is None else f", such as scene.views[{name!r}]"
+
+    def _nearest(self, name):
+        near = difflib.get_close_matches(name, self, 1) if isinstance(name, str) else []
+        return near[0] if near else None
 
 
 def judge(scene, view, *, id=None, depth=None, precision, ids="triangle"):

@@ -11,6 +11,7 @@
 
 #include "scenes/largest.h"
 #include "scenes/limits.h"
+#include "scenes/polygon_mesh.h"
 #include "scenes/refusal.h"
 
 namespace zproof {
@@ -217,10 +218,9 @@ Elements Accessors::with_sparse(int accessor, const Elements& base) {
 
 namespace {
 
-/// The corners of triangle i (glTF 2.0, 3.7.2.1). A strip's odd triangles have their last two corners
-/// swapped, so that all wind alike; a fan's triangle ends in the hub.
+/// The corners of triangle i (glTF 2.0, 3.7.2.1). A fan's triangle ends in the hub.
 glm::uvec3 corners_of(int mode, std::uint32_t i) {
-    if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) return {i, i + 1 + i % 2, i + 2 - i % 2};
+    if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) return corners_in_strip(i);
     if (mode == TINYGLTF_MODE_TRIANGLE_FAN) return {i + 1, i + 2, 0};
     return {3 * i, 3 * i + 1, 3 * i + 2};
 }

@@ -45,7 +45,9 @@ class CameraBaker {
   private:
     double aspect() const { return static_cast<double>(size_.x) / size_.y; }
 
-    void note(const std::string& text) { loaded_.scene.notes.push_back("camera " + name_ + ": " + text); }
+    void note(const std::string& kind, const std::string& more = "") {
+        loaded_.scene.notes.push_back(kind + ": " + name_ + more);
+    }
 
     /// Gram-Schmidt from the view axis, twice: the second round removes what the first one's rounding left.
     void place(const PlacedNode& placed, Camera& camera) {
@@ -76,14 +78,14 @@ class CameraBaker {
         for (const glm::dvec3& axis : {right, up, back}) off = std::max(off, std::abs(glm::length(axis) - 1));
         for (const double product : {glm::dot(right, up), glm::dot(up, back), glm::dot(back, right)})
             off = std::max(off, std::abs(product));
-        if (off > worth_a_note) note("scale and shear of its node dropped");
-        if (glm::dot(glm::cross(right, up), back) < 0) note("mirroring by its node dropped");
+        if (off > worth_a_note) note("scale and shear of a camera's node dropped");
+        if (glm::dot(glm::cross(right, up), back) < 0) note("mirroring by a camera's node dropped");
     }
 
     void note_aspect(double declared) {
         if (std::abs(declared / aspect() - 1) > worth_a_note)
-            note("aspect " + std::to_string(declared) + " replaced by the image's " +
-                 std::to_string(aspect()));
+            note("a camera's aspect replaced by the image's",
+                 ", " + std::to_string(declared) + " by " + std::to_string(aspect()));
     }
 
     void set_perspective(const gltf::Perspective& intrinsics, Camera& camera) {

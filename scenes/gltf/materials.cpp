@@ -120,8 +120,8 @@ void note_type(const Encoded& image, GltfModel& model) {
     const bool is_png = image_extent(image.bytes).format == ImageExtent::Format::png;
     const std::string found = is_png ? "image/png" : "image/jpeg";
     if (!image.declared_type.empty() && image.declared_type != found)
-        model.notes.push_back(on_one_line(pointer("images", image.index) + ": declared " +
-                                          image.declared_type + ", is " + found));
+        model.notes.push_back(on_one_line("images of another type: " + pointer("images", image.index) +
+                                          ": declared " + image.declared_type + ", is " + found));
 }
 
 /// Why the image cannot be decoded as far as its header tells, or nothing. Adds to the texels of all images.

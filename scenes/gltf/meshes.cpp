@@ -27,7 +27,7 @@ constexpr double square_overflows = 1.8e19;
 
 struct Tally {
     std::uint64_t points_and_lines = 0, without_position = 0, tails = 0, singular = 0, skinned = 0,
-                  morphed = 0;
+                  unmorphed = 0;
     std::uint64_t instancing = 0;
     std::atomic<std::uint64_t> flat = 0, normals_not_finite = 0, colors_not_finite = 0;
     std::atomic<bool> is_huge = false, is_unbounded = false;
@@ -94,8 +94,6 @@ class Baker {
         for (std::size_t i = 0; i < primitives.size(); ++i) bake(placed, static_cast<int>(i), primitives[i]);
         tally_.singular += glm::determinant(glm::dmat3(placed.world_from_node)) == 0;
         tally_.skinned += node.skin >= 0;
-        tally_.morphed +=
-            std::ranges::any_of(primitives, [](const auto& each) { return !each.targets.empty(); });
     }
 
     /// Writes what was made room for, pads attributes that the last primitives lack, and says what was left
@@ -154,11 +152,13 @@ class Baker {
         const std::vector<std::uint32_t>& used = baked_primitive.corners.used();
         baked_primitive.vertex_count = used.empty() ? positions.count : used.size();
         append_part(placed, index, primitive, baked_primitive.corners);
-        append_positions(placed, positions, baked_primitive);
+        append_positions(placed, positions, displacements_of(placed, primitive, "POSITION", positions),
+                         baked_primitive);
         append_triangles(baked_primitive);
         append_normals(placed, primitive, baked_primitive);
         append_uv(primitive, baked_primitive);
         append_color(primitive, baked_primitive);
+        tally_.unmorphed += std::ranges::count_if(targets_of(placed, primitive), displaces_no_vector);
     }
 
     void append_part(const PlacedNode& placed, int index, const gltf::Primitive& primitive,
@@ -192,6 +192,60 @@ class Baker {
                          });
     }
 
+    /// A morph target, or an attribute of it, and what it is multiplied by.
+    template <typename T>
+    struct Weighted {
+        double weight = 0;
+        const T* of = nullptr;
+    };
+    using Target = std::map<std::string, int>;
+    using Displacements = std::vector<Weighted<Elements>>;
+
+    /// The targets that count: the weights are the node's, else the mesh's; animations are not played.
+    std::vector<Weighted<Target>> targets_of(const PlacedNode& placed,
+                                             const gltf::Primitive& primitive) const {
+        const gltf::Node& node = node_of(placed);
+        const std::vector<double>& weights =
+            node.weights.empty() ? at(model_.document.meshes, node.mesh).weights : node.weights;
+        std::vector<Weighted<Target>> targets;
+        for (std::size_t i = 0; i < std::min(weights.size(), primitive.targets.size()); ++i)
+            if (weights[i] != 0) targets.push_back({weights[i], &primitive.targets[i]});
+        return targets;
+    }
+
+    /// What is added to an attribute that is a vector. An accessor without data holds zeros.
+    Displacements displacements_of(const PlacedNode& placed, const gltf::Primitive& primitive,
+                                   const std::string& name, const Elements& base) {
+        Displacements displacements;
+        for (const auto& [weight, target] : targets_of(placed, primitive)) {
+            const auto found = target->find(name);
+            if (found == target->end()) continue;
+            const gltf::Accessor& declared = at(model_.document.accessors, found->second);
+            if (declared.type != "VEC3" || declared.count != base.count)
+                refuse(model_.file, pointer("accessors", found->second),
+                       "a morph target's " + name + ": expected " + std::to_string(base.count) +
+                           " VEC3, as many as the primitive has; export the file again");
+            if (declared.bufferView >= 0 || declared.sparse.count > 0)
+                displacements.push_back({weight, &accessors_.elements(found->second)});
+        }
+        return displacements;
+    }
+
+    static bool displaces_no_vector(const Weighted<Target>& target) {
+        return std::ranges::any_of(*target.of, [](const auto& attribute) {
+            return attribute.first.starts_with("TEXCOORD_") || attribute.first.starts_with("COLOR_");
+        });
+    }
+
+    /// The vectors of a range of the placement's vertices, displaced.
+    static VectorBlock block_of(const Elements& elements, const Displacements& displacements,
+                                const BakedPrimitive& baked_primitive, std::size_t from, std::size_t end) {
+        VectorBlock block = block_of(elements, baked_primitive, from, end);
+        for (const auto& [weight, displacement] : displacements)
+            block.add(weight, block_of(*displacement, baked_primitive, from, end));
+        return block;
+    }
+
     /// The vectors of a range of the placement's vertices.
     static VectorBlock block_of(const Elements& elements, const BakedPrimitive& baked_primitive,
                                 std::size_t from, std::size_t end) {
@@ -206,15 +260,16 @@ class Baker {
         return block;
     }
 
-    void append_positions(const PlacedNode& placed, const Elements& positions,
+    void append_positions(const PlacedNode& placed, const Elements& positions, Displacements displacements,
                           BakedPrimitive& baked_primitive) {
         baked_primitive.first_vertex = scene_.vertices.position_world.size();
         scene_.vertices.position_world.resize(baked_primitive.first_vertex + baked_primitive.vertex_count);
-        of_vertices_.add(baked_primitive.vertex_count, [&, world_from_node = placed.world_from_node](
+        of_vertices_.add(baked_primitive.vertex_count, [&, world_from_node = placed.world_from_node,
+                                                        displacements = std::move(displacements)](
                                                            std::size_t from, std::size_t end) {
             const std::span baked = std::span(scene_.vertices.position_world)
                                         .subspan(baked_primitive.first_vertex + from, end - from);
-            VectorBlock block = block_of(positions, baked_primitive, from, end);
+            VectorBlock block = block_of(positions, displacements, baked_primitive, from, end);
             block.multiply(glm::dmat3(world_from_node));
             block.add(glm::dvec3(world_from_node[3]));
             block.write(baked);
@@ -261,11 +316,12 @@ class Baker {
         if (!accessor) return;
         const glm::dmat3 world_from_normal = normal_matrix(glm::dmat3(placed.world_from_node));
         const Elements& elements = accessors_.unchecked(*accessor);
+        const auto displacements = displacements_of(placed, primitive, "NORMAL", elements);
         const bool all_finite = accessors_.is_finite(*accessor);
         make_room(scene_.vertices.normal_world, baked_primitive, glm::vec3(0));
         of_vertices_.add(baked_primitive.vertex_count, [=, this, &elements, &baked_primitive](
                                                            std::size_t from, std::size_t end) {
-            VectorBlock block = block_of(elements, baked_primitive, from, end);
+            VectorBlock block = block_of(elements, displacements, baked_primitive, from, end);
             block.multiply(world_from_normal);
             block.normalize();
             const std::span baked = std::span(scene_.vertices.normal_world)
@@ -316,7 +372,7 @@ class Baker {
         note(tally_.instancing, "nodes with EXT_mesh_gpu_instancing drawn once only");
         note(tally_.singular, "meshes flattened by a singular transform");
         note(tally_.skinned, "skinned meshes baked at rest, by their own node's transform");
-        note(tally_.morphed, "meshes with morph targets baked without them");
+        note(tally_.unmorphed, "morph targets of TEXCOORD and COLOR not applied");
         note(model_.animations, "animations ignored, nodes stand at rest");
         if (tally_.is_huge)
             scene_.notes.push_back("coordinates so large that their squares overflow float32");

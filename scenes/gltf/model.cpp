@@ -80,7 +80,7 @@ Container open_container(const std::filesystem::path& file, const Bytes& bytes) 
         if (!has_magic) refuse(file, at_byte(0), "expected the magic \"glTF\" of a GLB" + std::string(again));
         return open_glb(file, bytes);
     }
-    return {{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, {}};
+    return {text_in(file, bytes), {}};
 }
 
 /// The structure that the JSON states.

@@ -72,18 +72,20 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Primitive, attributes, indices, 
 struct Mesh {
     std::string name;
     std::vector<Primitive> primitives;
+    std::vector<double> weights;
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Mesh, name, primitives)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Mesh, name, primitives, weights)
 
 struct Node {
     std::string name;
     std::vector<int> children;
     int mesh = -1, camera = -1, skin = -1;
     std::vector<double> matrix, translation, rotation, scale;
+    std::vector<double> weights;  ///< go before the mesh's
     nlohmann::json extensions;
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(Node, name, children, mesh, camera, skin, matrix, translation,
-                                                rotation, scale, extensions)
+                                                rotation, scale, weights, extensions)
 
 struct Scene {
     std::vector<int> nodes;

@@ -77,6 +77,7 @@ const Rule rules[] = {
     {"meshes/*/primitives!/*/material", reference, "materials"},
     {"meshes/*/primitives!/*/mode", one_of, "0 1 2 3 4 5 6"},
     {"nodes/*/children/*", reference, "nodes"},
+    {"meshes|nodes/*/weights/*", number},
     {"nodes/*/mesh", reference, "meshes"},
     {"nodes/*/camera", reference, "cameras"},
     {"nodes/*/skin", reference, "skins"},

@@ -1,4 +1,5 @@
 // COLMAP's text files: https://colmap.github.io/format.html
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <map>
@@ -9,6 +10,7 @@
 #include "scenes/import/view_import.h"
 #include "scenes/refusal.h"
 #include "scenes/scene_error.h"
+#include "scenes/scene_files.h"
 
 namespace zproof {
 namespace {
@@ -29,8 +31,9 @@ class ColmapLines {
 
     /// The next line, whatever is in it; false at the end.
     bool next_line() {
-        ++number_;
-        return bool(std::getline(in_, line_));
+        const bool is_there(std::getline(in_, line_));
+        if (++number_ == 1 && line_.starts_with(byte_order_mark)) line_.erase(0, byte_order_mark.size());
+        return is_there;
     }
     /// The next line that is neither empty nor a comment; false at the end.
     bool next_record() {
@@ -40,9 +43,8 @@ class ColmapLines {
         return false;
     }
     const std::string& text() const { return line_; }
-    [[noreturn]] void fail(const std::string& why) const {
-        refuse(file_, "line " + std::to_string(number_), why);
-    }
+    std::string place() const { return "line " + std::to_string(number_); }
+    [[noreturn]] void fail(const std::string& why) const { refuse(file_, place(), why); }
 
   private:
     fs::path file_;
@@ -59,37 +61,39 @@ struct ColmapModel {
 constexpr ColmapModel colmap_models[] = {{"SIMPLE_PINHOLE", 1, 0}, {"PINHOLE", 2, 0}, {"SIMPLE_RADIAL", 1, 1},
                                          {"RADIAL", 1, 2},         {"OPENCV", 2, 4},  {"FULL_OPENCV", 2, 8}};
 
-const ColmapModel& model_named(const std::string& name, const ColmapLines& lines) {
-    for (const ColmapModel& model : colmap_models)
-        if (model.name == name) return model;
-    lines.fail("camera model " + name +
-               "; expected a pinhole: colmap image_undistorter makes PINHOLE cameras");
-}
+struct ColmapCamera {
+    CalibratedCamera calibrated;
+    std::string fault = {};                  ///< why it is no pinhole; empty where it is one
+    std::vector<std::string> left_out = {};  ///< the images that it took, where it is none
+};
+using ColmapCameras = std::map<long, ColmapCamera>;
 
-CalibratedCamera camera_of(std::istream& words, const ColmapLines& lines) {
+ColmapCamera camera_of(std::istream& words, const ColmapLines& lines) {
     CalibratedCamera camera;
     std::string name;
     words >> name >> camera.width >> camera.height;
-    const ColmapModel& model = model_named(name, lines);
+    const auto* const model = std::ranges::find(colmap_models, name, &ColmapModel::name);
+    const std::string place = "cameras.txt: " + lines.place() + ": ",
+                      remedy = "; colmap image_undistorter makes PINHOLE cameras";
+    if (model == std::end(colmap_models))
+        return {camera, place + "camera model " + name + " is no pinhole" + remedy};
     words >> camera.fx;
     camera.fy = camera.fx;
-    if (model.focal_lengths == 2) words >> camera.fy;
+    if (model->focal_lengths == 2) words >> camera.fy;
     words >> camera.cx >> camera.cy;
     bool is_distorted = false;
-    for (int i = 0; i < model.distortions; ++i) {
+    for (int i = 0; i < model->distortions; ++i) {
         double distortion = 0;
         words >> distortion;
         is_distorted = is_distorted || distortion != 0;
     }
     if (!words || !(words >> std::ws).eof())
         lines.fail("expected CAMERA_ID MODEL WIDTH HEIGHT and the numbers of " + name);
-    if (is_distorted)
-        lines.fail("a distorted image has no straight lines; colmap image_undistorter makes PINHOLE cameras");
-    return camera;
+    return {camera, is_distorted ? place + "a distorted image has no straight lines" + remedy : ""};
 }
 
-std::map<long, CalibratedCamera> cameras_in(const fs::path& file) {
-    std::map<long, CalibratedCamera> cameras;
+ColmapCameras cameras_in(const fs::path& file) {
+    ColmapCameras cameras;
     ColmapLines lines(file);
     while (lines.next_record()) {
         std::istringstream words(lines.text());
@@ -98,6 +102,15 @@ std::map<long, CalibratedCamera> cameras_in(const fs::path& file) {
         cameras[id] = camera_of(words, lines);
     }
     return cameras;
+}
+
+/// "camera model FOV is no pinhole; ...: 2 images left out: a.png, b.png".
+std::string sentence_of(const ColmapCamera& camera) {
+    std::string names;
+    for (const std::string& name : camera.left_out) names += (names.empty() ? "" : ", ") + name;
+    const std::size_t count = camera.left_out.size();
+    return on_one_line(camera.fault + ": " + std::to_string(count) + (count == 1 ? " image" : " images") +
+                       " left out: " + names);
 }
 
 /// The rows of the rotation of a unit quaternion (Hamilton's), made one of unit length first.
@@ -111,8 +124,9 @@ void set_rotation(const glm::dvec4& wxyz, const ColmapLines& lines, CalibratedCa
     camera.forward = {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)};
 }
 
-ImportedView image_at(const ColmapLines& lines, const std::map<long, CalibratedCamera>& cameras,
-                      const DepthRange& range) {
+/// None where the image's camera is no pinhole.
+std::optional<ImportedView> image_at(const ColmapLines& lines, ColmapCameras& cameras,
+                                     const DepthRange& range) {
     std::istringstream words(lines.text());
     long image = 0, camera_id = 0;
     glm::dvec4 wxyz{0};
@@ -123,7 +137,8 @@ ImportedView image_at(const ColmapLines& lines, const std::map<long, CalibratedC
         lines.fail("expected IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME");
     const auto found = cameras.find(camera_id);
     if (found == cameras.end()) lines.fail("cameras.txt has no camera " + std::to_string(camera_id));
-    CalibratedCamera camera = found->second;
+    if (!found->second.fault.empty()) return found->second.left_out.push_back(name), std::nullopt;
+    CalibratedCamera camera = found->second.calibrated;
     camera.name = view_name_of_image(name);
     set_rotation(wxyz, lines, camera);
     camera.eye = -(t.x * camera.right + t.y * camera.down + t.z * camera.forward);
@@ -136,16 +151,21 @@ ImportedView image_at(const ColmapLines& lines, const std::map<long, CalibratedC
 
 }  // namespace
 
-std::vector<ImportedView> import_colmap(const fs::path& folder, const DepthRange& range) {
-    const auto cameras = cameras_in(folder / "cameras.txt");
-    ColmapLines lines(folder / "images.txt");
-    std::vector<ImportedView> views;
+ImportedViews import_colmap(const fs::path& folder, const DepthRange& range) {
+    ColmapCameras cameras = cameras_in(folder / "cameras.txt");
+    const fs::path images = folder / "images.txt";
+    ColmapLines lines(images);
+    ImportedViews imported;
     while (lines.next_record()) {
-        views.push_back(image_at(lines, cameras, range));
+        if (const auto view = image_at(lines, cameras, range)) imported.views.push_back(*view);
         lines.next_line();  // the image's points, of which there may be none
     }
-    require_unique_names(folder / "images.txt", views);
-    return views;
+    for (const auto& [id, camera] : cameras)
+        if (!camera.left_out.empty()) imported.left_out.push_back(sentence_of(camera));
+    if (imported.views.empty() && !imported.left_out.empty())
+        refuse(images, "views", "none is left: " + imported.left_out.front());
+    require_unique_names(images, imported.views);
+    return imported;
 }
 
 }  // namespace zproof

@@ -111,7 +111,7 @@ ImportedView view_at(const NerfFrame& frame, const DepthRange& range, const std:
 std::vector<ImportedView> import_nerf(const std::filesystem::path& file, const DepthRange& range,
                                       const std::optional<glm::ivec2>& size) {
     const Bytes bytes = read_file(file, largest_nerf_file);
-    const auto content = parse_json(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    const auto content = parse_json(file, text_in(file, bytes));
     const LocatedValue root(file, content, "");
     const LocatedValue list = root.at("frames");
     if (!list.value().is_array()) list.fail("expected an array of frames");

@@ -74,7 +74,7 @@ ImportedView view_at(const LocatedValue& place, const DepthRange& range) {
 
 std::vector<ImportedView> import_opencv(const std::filesystem::path& file, const DepthRange& range) {
     const Bytes bytes = read_file(file, largest_opencv_file);
-    const auto content = parse_json(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    const auto content = parse_json(file, text_in(file, bytes));
     const LocatedValue root(file, content, "");
     root.allow({"views"});
     const LocatedValue list = root.at("views");

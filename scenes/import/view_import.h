@@ -10,13 +10,18 @@
 namespace zproof {
 
 // Each throws SceneError, naming file and place, for what is missing, unknown or out of range, for cameras
-// that are no pinhole, and for two views of one name.
+// that are no pinhole (COLMAP's where no other is left), and for two views of one name.
 
 /// OpenCV's K, R and t, as JSON: {"views": [{"name", "width", "height", "pixel_centre", "K", "R", "t"}]}.
 std::vector<ImportedView> import_opencv(const std::filesystem::path& file, const DepthRange& range);
 
+struct ImportedViews {
+    std::vector<ImportedView> views;
+    std::vector<std::string> left_out = {};  ///< for each camera that is no pinhole: why, and its images
+};
+
 /// cameras.txt and images.txt of a COLMAP model, in this folder.
-std::vector<ImportedView> import_colmap(const std::filesystem::path& folder, const DepthRange& range);
+ImportedViews import_colmap(const std::filesystem::path& folder, const DepthRange& range);
 
 /// transforms.json of NeRF, instant-ngp or nerfstudio. `size` is the images', for files that do not say it.
 std::vector<ImportedView> import_nerf(const std::filesystem::path& file, const DepthRange& range,

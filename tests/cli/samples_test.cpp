@@ -43,7 +43,7 @@ TEST_F(Samples, AreViewsOfTheirOwnInOneVerdict) {
     EXPECT_THAT(names, ElementsAre("frame-all.sample-0", "frame-all.sample-1", "frame-all.sample-2",
                                    "frame-all.sample-3"));
     EXPECT_EQ(views().at(1).at("notes").back(),
-              "sample 1 of 0 to 3, at (0.375, -0.125) px from each pixel's centre, x right, y down");
+              "sampled beside the pixels' centres: sample 1 of 0 to 3, (0.375, -0.125) px, x right, y down");
 }
 
 TEST_F(Samples, OfAnotherPlaceHaveDefectsAndTheCommandExplainsOne) {

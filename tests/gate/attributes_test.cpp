@@ -281,8 +281,8 @@ TEST(Attributes, OfAnotherSceneOrRendererAreNotJudgedAndSaidSo) {
     EXPECT_EQ(
         unjudged_attributes(room.scene, room.views[0], empty.attributes, rasterizer::precision()).size(), 0u);
     EXPECT_EQ(unjudged_attributes(room.scene, room.views[0], given, rasterizer::precision()),
-              (std::vector<std::string>{"uv: not judged, since the scene has none",
-                                        "normal: not judged, since the scene has none"}));
+              (std::vector<std::string>{"uv not judged: the scene has none",
+                                        "normal not judged: the scene has none"}));
     EXPECT_EQ(unjudged_attributes(room.scene, room.views[0], given, PlaneRayPrecision{}).size(), 4u);
 }
 

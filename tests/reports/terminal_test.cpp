@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "reports/notes.h"
 #include "tests/reports/sample.h"
 
 namespace zproof {
@@ -120,6 +121,23 @@ TEST(Terminal, ALongNameKeepsBothEnds) {
     results.views[0].scene = std::string(100, 'a') + "ö";
     const std::vector<std::string> lines = lines_of(summary_table(results, Colour::plain));
     EXPECT_NE(lines[1].find("aaaaaaaaaaaaaaaaaaa…aaaaaaaaaaaaaaö/dawn  "), std::string::npos) << lines[1];
+}
+
+TEST(Terminal, TellsEachKindOfNoteOnce) {
+    Results results;
+    const auto add = [&](const std::string& scene, std::vector<std::string> notes) {
+        results.views.emplace_back().scene = scene;
+        results.views.back().notes = std::move(notes);
+    };
+    add("a", {"images not read: 3", "flat: 1"});
+    add("a", {"images not read: 3", "flat: 1"});
+    add("b", {"flat: 2", "huge", "lost: x", "lost: \x1b[2J"});
+    add("c", {"flat: 1", "huge", "away: 1", "away: 2", "away: 3", "away: 4", "away: 5"});
+    EXPECT_EQ(note_lines(results),
+              "note: a: images not read: 3\nnote: 3 scenes: flat\nnote: 2 scenes: huge\nnote: b: lost: "
+              "\\x1b[2J\nnote: b: lost: x\nnote: c: away\n");
+    EXPECT_NE(summary_table(results, Colour::plain).find("\n\nnote: a: images not read: 3\n"),
+              std::string::npos);
 }
 
 }  // namespace zproof

@@ -420,8 +420,8 @@ TEST(Gltf, ReadsAnOrthographicCameraAndDropsItsNodesScale) {
     EXPECT_EQ(camera.window.right, 4);
     EXPECT_EQ(camera.window.top, 2);
     EXPECT_EQ(glm::dot(glm::cross(camera.right, camera.up), camera.back), 1);
-    EXPECT_TRUE(has_note(loaded.scene, "scale and shear of its node dropped"));
-    EXPECT_TRUE(has_note(loaded.scene, "mirroring by its node dropped"));
+    EXPECT_TRUE(has_note(loaded.scene, "scale and shear of a camera's node dropped"));
+    EXPECT_TRUE(has_note(loaded.scene, "mirroring by a camera's node dropped"));
 }
 
 TEST(Gltf, GivesEveryCameraANameOfItsOwn) {

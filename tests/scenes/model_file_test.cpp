@@ -157,7 +157,8 @@ TEST(Obj, MakesFansInFileOrderWhateverTheGroupsAndMaterials) {
     EXPECT_EQ(scene.parts[0].node, "second");
     EXPECT_EQ(scene.parts[1].first_triangle, 3u);
     EXPECT_EQ(scene.parts[1].node_index, 1);
-    EXPECT_EQ(scene.notes, (std::vector<std::string>{"points, lines and curves skipped: 1",
+    EXPECT_EQ(scene.notes, (std::vector<std::string>{"unknown materials, white: 2, the first \"b\"",
+                                                     "points, lines and curves skipped: 1",
                                                      "faces of fewer than three corners skipped: 1"}));
 }
 
@@ -190,8 +191,55 @@ TEST(Obj, ReadsTheBaseColourAndNotesWhatItCannotRead) {
               glm::vec4(1, 0.5f, 0, 1));
     EXPECT_EQ(scene.materials[std::size_t(scene.parts[0].material)].base_color.image, Texture::none);
     ASSERT_EQ(scene.notes.size(), 2u);
-    EXPECT_NE(scene.notes[0].find("material lost untextured"), std::string::npos) << scene.notes[0];
+    EXPECT_NE(scene.notes[0].find("materials untextured: lost: "), std::string::npos) << scene.notes[0];
     EXPECT_NE(scene.notes[1].find("leaves the file's folder"), std::string::npos) << scene.notes[1];
+}
+
+TEST(ModelFile, AByteOrderMarkIsNoPartOfTheFirstWord) {
+    const TestFolder folder;
+    const std::string mark = "\xEF\xBB\xBF";
+    const std::string expected = sha256_of(load_model_scene(folder.write("a.obj", cube_obj())));
+    const std::string without_comment = cube_obj().substr(cube_obj().find('\n') + 1);
+    for (const std::string& text : {cube_obj(), without_comment})
+        EXPECT_EQ(sha256_of(load_model_scene(folder.write("a.obj", mark + text))), expected);
+    EXPECT_EQ(sha256_of(load_model_scene(folder.write("a.ply", mark + cube_ply_ascii()))), expected);
+    folder.write("a.mtl", mark + "newmtl red\nKd 1 0 0\n");
+    const Scene red = load_model_scene(folder.write(
+        "b.obj", mark + "mtllib a.mtl\r\nv 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nusemtl red\r\nf 1 2 3\r\n"));
+    EXPECT_EQ(red.materials.back().base_color_factor, glm::vec4(1, 0, 0, 1));
+    EXPECT_TRUE(red.notes.empty()) << red.notes[0];
+}
+
+TEST(ModelFile, Utf16IsRefusedByName) {
+    for (const std::string mark : {"\xFF\xFE", "\xFE\xFF"})
+        for (const char* name : {"a.obj", "a.ply", "a.gltf"})
+            expect_refusal(name, mark + "v", "byte 0: is UTF-16; expected UTF-8");
+}
+
+/// A dart: its fan would reach beyond it.
+TEST(ModelFile, ConcaveFacesAreCutInEveryFormat) {
+    const TestFolder folder;
+    const std::vector<glm::uvec3> expected{{3, 0, 1}, {3, 1, 2}};
+    const Scene obj = load_model_scene(
+        folder.write("a.obj", "f 1/1 2/1 3/1 4/1\nv 0 0 0\nv 2 1 0\nv 4 0 0\nv 2 4 0\nvt 0 0\n"));
+    EXPECT_TRUE(std::ranges::equal(obj.triangles, expected));
+    const Scene ply = load_model_scene(folder.write(
+        "a.ply",
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+        "float z\nelement face 1\nproperty list int int vertex_index\nend_header\n0 0 0\n2 1 0\n4 "
+        "0 0\n2 4 0\n4 0 1 2 3\n"));
+    EXPECT_TRUE(std::ranges::equal(ply.triangles, expected));
+}
+
+TEST(Obj, NotesLinesAndMaterialsThatItDoesNotKnow) {
+    const TestFolder folder;
+    const Scene scene = load_model_scene(
+        folder.write("a.obj",
+                     "v 0 0 0\nv 1 0 0\nv 0 1 0\ns off\n\nvx 1\n\x1b[2J\nusemtl \ngroup a\nusemtl "
+                     "red\nf 1 2 3\nusemtl blue\nf 1 2 3\nusemtl red\nf 1 2 3\n"));
+    EXPECT_EQ(scene.notes,
+              (std::vector<std::string>{"lines of an unknown keyword skipped: 3, the first \"vx\" in line 6",
+                                        "unknown materials, white: 2, the first \"red\""}));
 }
 
 TEST(Obj, JoinsLinesThatGoOn) {
@@ -245,8 +293,54 @@ end_header
     EXPECT_EQ(scene.vertices.normal_world[2], glm::vec3(0));
     EXPECT_EQ(scene.vertices.uv[0][0], glm::vec2(0, 0.75f));
     EXPECT_EQ(scene.notes,
-              (std::vector<std::string>{"element other skipped",
+              (std::vector<std::string>{"elements skipped: other",
                                         "vertices whose normal is not finite, read as without one: 1"}));
+}
+
+std::string strips_of(const std::string& format, const std::string& index_type) {
+    return "ply\nformat " + format +
+           " 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\nelement tristrips "
+           "1\nproperty list int " +
+           index_type + " vertex_indices\nend_header\n";
+}
+
+TEST(Ply, UnrollsTheStripsOfStanfordsFiles) {
+    const TestFolder folder;
+    const std::vector<float> positions{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 2, 2, 0};
+    const std::vector<std::int32_t> corners{-1, 0, 1, 2, 3, -1, 2, 3, 4, 3, -1, 1};
+    const std::vector<glm::uvec3> expected{{0, 1, 2}, {1, 3, 2}, {2, 3, 4}, {3, 3, 4}};
+    std::string ascii = strips_of("ascii", "int"), little = strips_of("binary_little_endian", "int"),
+                big = strips_of("binary_big_endian", "int");
+    for (const float number : positions) {
+        ascii += text_of(number);
+        append(little, number, false);
+        append(big, number, true);
+    }
+    ascii += "\n12";
+    append(little, std::int32_t{12}, false);
+    append(big, std::int32_t{12}, true);
+    for (const std::int32_t corner : corners) {
+        ascii += " " + std::to_string(corner);
+        append(little, corner, false);
+        append(big, corner, true);
+    }
+    for (const std::string& text : {ascii, little, big}) {
+        const Scene scene = load_model_scene(folder.write("a.ply", text));
+        EXPECT_TRUE(std::ranges::equal(scene.triangles, expected));
+        EXPECT_EQ(scene.notes, (std::vector<std::string>{"triangles without area, kept: 1"}));
+        ASSERT_EQ(scene.parts.size(), 1u);
+        EXPECT_EQ(scene.parts[0].triangle_count, 4u);
+    }
+}
+
+TEST(Ply, NamesTheStripThatIsBroken) {
+    const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 0\n";
+    const std::string strips = strips_of("ascii", "int") + vertices;
+    expect_refusal("a.ply", strips + "3 0 1 5\n", "tristrips 0: expected an index of a vertex from 0 to 4");
+    expect_refusal("a.ply", strips + "3 0 1 -2\n", "tristrips 0: expected an index of a vertex from 0 to 4");
+    expect_refusal("a.ply", strips + "3 0 1", "tristrips 0: the file ends within it");
+    const TestFolder folder;
+    EXPECT_TRUE(load_model_scene(folder.write("a.ply", strips + "0\n")).triangles.empty());
 }
 
 TEST(Ply, NamesThePlaceOfWhatIsBroken) {

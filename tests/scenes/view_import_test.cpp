@@ -94,7 +94,7 @@ class ViewImport : public testing::Test {
     std::vector<ImportedView> opencv(const json& view) const {
         return import_opencv(folder_.write("cameras.json", json{{"views", {view}}}.dump()), range);
     }
-    std::vector<ImportedView> colmap(const std::string& cameras, const std::string& images) const {
+    ImportedViews colmap(const std::string& cameras, const std::string& images) const {
         folder_.write("cameras.txt", cameras);
         folder_.write("images.txt", images);
         return import_colmap(folder_.path(), range);
@@ -201,11 +201,32 @@ TEST_F(ViewImport, ColmapsPointsLandOnTheirPixels) {
     const std::string image = colmap_image({1, 2, -0.5}, 0.7, pinhole.t, "a b/1.JPG");
     const auto views =
         colmap("# cameras\n9 PINHOLE 640 480 612.25 598.5 331.7 222.1\n8 SIMPLE_RADIAL 10 10 5 5 5 0\n",
-               "# images\n" + image + "\n" + colmap_image({0, 1, 0}, 1, {0, 0, 0}, "2") + "1 2 -1 3 4 5\n");
+               "# images\n" + image + "\n" + colmap_image({0, 1, 0}, 1, {0, 0, 0}, "2") + "1 2 -1 3 4 5\n")
+            .views;
     ASSERT_EQ(views.size(), 2u);
     EXPECT_EQ(views[0].view.name, "a_b_1");
     EXPECT_EQ(views[1].view.name, "2");
     expect_same_pixels(views[0].view, pinhole, 0);
+}
+
+TEST_F(ViewImport, ColmapsImagesWithoutAPinholeAreLeftOutByName) {
+    const auto image = [](int camera, const std::string& name) {
+        return std::to_string(camera) + " 1 0 0 0 0 0 0 " + std::to_string(camera) + " " + name + "\n\n";
+    };
+    const auto [views, left_out] = colmap(
+        "\xEF\xBB\xBF"
+        "1 SIMPLE_RADIAL 64 48 60 32 24 0\n2 RADIAL 64 48 60 32 24 0 0\n3 RADIAL 64 48 60 32 24 "
+        "0.1 0\n4 FOV 64 48 60 60 32 24 1\n5 THIN_PRISM_FISHEYE 64 48\n",
+        image(1, "a.png") + image(2, "b.png") + image(3, "c.png") + image(3, "d.png") + image(4, "e.png"));
+    ASSERT_EQ(views.size(), 2u);
+    EXPECT_EQ(views[0].view.name, "a");
+    EXPECT_EQ(views[1].view.name, "b");
+    const std::string remedy = "; colmap image_undistorter makes PINHOLE cameras: ";
+    EXPECT_EQ(left_out,
+              (std::vector<std::string>{"cameras.txt: line 3: a distorted image has no straight lines" +
+                                            remedy + "2 images left out: c.png, d.png",
+                                        "cameras.txt: line 4: camera model FOV is no pinhole" + remedy +
+                                            "1 image left out: e.png"}));
 }
 
 TEST_F(ViewImport, WhatIsNoPinholeOfColmapsIsRefusedWithItsLine) {
@@ -214,8 +235,7 @@ TEST_F(ViewImport, WhatIsNoPinholeOfColmapsIsRefusedWithItsLine) {
         expect_refusal([&] { colmap("# first\n" + line + "\n", image); }, said);
     };
     cameras("9 SIMPLE_RADIAL 640 480 600 320 240 0.01", "cameras.txt: line 2: a distorted image");
-    cameras("9 OPENCV_FISHEYE 640 480 600 600 320 240 0 0 0 0",
-            "camera model OPENCV_FISHEYE; expected a pinhole");
+    cameras("9 OPENCV_FISHEYE 640 480 600 600 320 240 0 0 0 0", "camera model OPENCV_FISHEYE is no pinhole");
     cameras("9 PINHOLE 640 480 600 600 320", "cameras.txt: line 2: expected CAMERA_ID");
     cameras("9 PINHOLE 640 480 600 600 320 240 0", "cameras.txt: line 2: expected CAMERA_ID");
     cameras("8 PINHOLE 640 480 600 600 320 240", "images.txt: line 1: cameras.txt has no camera 9");

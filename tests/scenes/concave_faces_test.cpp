@@ -1,0 +1,133 @@
+// Faces whose fan overlaps: the ears that are cut instead, and what stays a fan.
+#include "scenes/concave_faces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <vector>
+
+namespace zproof {
+namespace {
+
+using Points = std::vector<glm::dvec2>;
+using Triangles = std::vector<glm::uvec3>;
+
+/// The face in space, seen by nobody along an axis.
+Scene face_of(const Points& corners) {
+    Scene scene;
+    for (const glm::dvec2& p : corners)
+        scene.vertices.position_world.emplace_back(0.25 * p.x - p.y, p.x + 0.5 * p.y, p.x);
+    std::vector<std::uint32_t> all(corners.size());
+    std::iota(all.begin(), all.end(), 0u);
+    const TriangleRun fan = append_fan("a.obj", "", all, scene);
+    cut_concave_faces(std::vector{fan}, scene);
+    return scene;
+}
+
+Triangles triangles_of(const Points& corners) {
+    const Scene scene = face_of(corners);
+    return {scene.triangles.begin(), scene.triangles.end()};
+}
+
+double area(const Points& p) {
+    double sum = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const glm::dvec2 &a = p[i], &b = p[(i + 1) % p.size()];
+        sum += a.x * b.y - a.y * b.x;
+    }
+    return sum / 2;
+}
+
+/// Triangles that turn as the face does and have its area in all cover it once, and nothing beside it.
+void expect_covered(const Points& corners) {
+    const Scene scene = face_of(corners);
+    ASSERT_EQ(scene.triangles.size(), corners.size() - 2);
+    EXPECT_TRUE(scene.notes.empty()) << scene.notes[0];
+    double sum = 0;
+    for (const glm::uvec3& t : scene.triangles) {
+        const double part = area({corners[t.x], corners[t.y], corners[t.z]});
+        EXPECT_GE(part * area(corners), -1e-12) << t.x << " " << t.y << " " << t.z;
+        sum += part;
+    }
+    EXPECT_NEAR(sum, area(corners), 1e-9);
+}
+
+void expect_covered_from_every_corner(Points corners) {
+    for (int turned = 0; turned < 2; ++turned) {
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            expect_covered(corners);
+            std::ranges::rotate(corners, corners.begin() + 1);
+        }
+        std::ranges::reverse(corners);
+    }
+}
+
+TEST(ConcaveFaces, CutsTheFirstEarFromTheFirstCornerOn) {
+    const Points dart{{0, 0}, {2, 1}, {4, 0}, {2, 4}};
+    EXPECT_EQ(triangles_of(dart), (Triangles{{3, 0, 1}, {3, 1, 2}}));
+    const Points l{{2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 0}, {2, 0}};
+    EXPECT_EQ(triangles_of(l), (Triangles{{5, 0, 1}, {1, 2, 3}, {1, 3, 4}, {5, 1, 4}}));
+}
+
+TEST(ConcaveFaces, LeavesAFanThatCoversTheFace) {
+    EXPECT_EQ(triangles_of({{2, 1}, {4, 0}, {2, 4}, {0, 0}}), (Triangles{{0, 1, 2}, {0, 2, 3}}));
+    EXPECT_EQ(triangles_of({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}}),
+              (Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));
+    EXPECT_EQ(triangles_of({{0, 0}, {1, 0}, {2, 0}, {3, 0}}), (Triangles{{0, 1, 2}, {0, 2, 3}}));
+}
+
+TEST(ConcaveFaces, CoversDartsStairsAndLettersFromEveryCorner) {
+    expect_covered_from_every_corner({{0, 0}, {2, 1}, {4, 0}, {2, 4}});
+    expect_covered_from_every_corner({{0, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 3}, {0, 3}});
+    expect_covered_from_every_corner({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {1, 1}, {0, 1}});
+    // A ring, cut open between (0, 0) and (1, 1): both corners stand twice.
+    expect_covered_from_every_corner(
+        {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}});
+}
+
+TEST(ConcaveFaces, CoversCombsAndRandomStars) {
+    Points comb{{0, 0}, {100, 0}};
+    for (int i = 100; i-- > 0;) comb.insert(comb.end(), {{i + 0.75, 5}, {i + 0.25, 0.1}});
+    expect_covered(comb);
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> radius(0.05, 1);
+    for (int corners = 4; corners < 120; ++corners) {
+        Points star;
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 2 * std::numbers::pi * i / corners, r = radius(random);
+            star.emplace_back(float(r * std::cos(angle)), float(r * std::sin(angle)));
+        }
+        expect_covered(star);
+    }
+}
+
+/// One corner lies beside the line through its neighbours by less than double's products can tell.
+TEST(ConcaveFaces, TellsExactlyOnWhichSideACornerLies) {
+    const double far = 0x1p24 - 1, step = 0x1p-24;
+    for (const double off : {-step, 0.0, step}) {
+        Scene scene;
+        for (const glm::vec3& p : {glm::vec3(-1, -1, 0), glm::vec3(step, float(step + off * 0x1p-20), 0),
+                                   glm::vec3(float(far), float(far), 0), glm::vec3(-1, float(far), 0)})
+            scene.vertices.position_world.push_back(p);
+        const std::vector<std::uint32_t> all{0, 1, 2, 3};
+        const TriangleRun fan = append_fan("a.obj", "", all, scene);
+        cut_concave_faces(std::vector{fan}, scene);
+        const glm::uvec3 first = off > 0 ? glm::uvec3(3, 0, 1) : glm::uvec3(0, 1, 2);
+        EXPECT_EQ(scene.triangles[0], first) << off;
+    }
+}
+
+TEST(ConcaveFaces, LeavesAFaceThatCrossesItselfAndSaysSo) {
+    const Scene scene = face_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
+    EXPECT_EQ(scene.triangles[1], glm::uvec3(0, 2, 3));
+    EXPECT_EQ(scene.notes, (std::vector<std::string>{
+                               "concave faces that cross themselves or are too large, left as fans that "
+                               "overlap: 1"}));
+}
+
+}  // namespace
+}  // namespace zproof
