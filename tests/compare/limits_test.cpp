@@ -75,17 +75,27 @@ TEST(Limit, ATriangleShowsBesideAWallWithinEps) {
     EXPECT_EQ(sides.first_beyond, PixelClass::hidden) << "nothing abuts the wall";
 }
 
-/// Two walls overlap evenly around the centre.
+/// x is y, and the other way round.
+Triangle transposed(Triangle triangle) {
+    for (Corner& corner : triangle) std::swap(corner.x, corner.y);
+    return triangle;
+}
+
+/// Two walls overlap evenly around the centre, side by side or one above the other.
 TEST(Limit, ACrackOpensWhereUnsharedEdgesOverlapByLessThanTwiceEps) {
-    const auto scene = [](float edge) {
-        TestScene t =
-            bare_scene({wall_left_of(edge, 4), wall_right_of(2 * centre - edge, 4, -32, 32), wall(8)});
-        answer(t.reference, 0, 0, 0, 4);
-        return t;
-    };
-    const BothSides sides = around_limit(scene, 2, 8, 1);
-    EXPECT_EQ(sides.last_within, PixelClass::abutting_edges);
-    EXPECT_EQ(sides.first_beyond, PixelClass::hidden);
+    for (const bool is_transposed : {false, true}) {
+        const auto scene = [&](float edge) {
+            const Triangle before = wall_left_of(edge, 4),
+                           after = wall_right_of(2 * centre - edge, 4, -32, 32);
+            TestScene t = bare_scene({is_transposed ? transposed(before) : before,
+                                      is_transposed ? transposed(after) : after, wall(8)});
+            answer(t.reference, 0, 0, 0, 4);
+            return t;
+        };
+        const BothSides sides = around_limit(scene, 2, 8, 1);
+        EXPECT_EQ(sides.last_within, PixelClass::abutting_edges) << is_transposed;
+        EXPECT_EQ(sides.first_beyond, PixelClass::hidden) << is_transposed;
+    }
 }
 
 /// One wall's edge lies at the centre: the other, up to eps beyond, abuts it.
