@@ -1,13 +1,12 @@
-/// "Did you mean ...?"
+/// A word that must be one of some.
 #pragma once
 
 #include <span>
 #include <string>
 
-namespace zproof {
+#include "frame/did_you_mean.h"
 
-/// "; did you mean 'known'?" where a known word is at most two edits (insert, delete, replace) away, else "".
-std::string did_you_mean(const std::string& word, std::span<const std::string> known);
+namespace zproof {
 
 /// What a word should have named.
 struct KnownWords {
@@ -16,7 +15,7 @@ struct KnownWords {
     std::string kind;   ///< "region"
 };
 
-/// Throws UsageError, with the nearest and all known words, where the word is none of them.
+/// Throws UsageError, with the nearest of the known words or with all, where the word is none of them.
 void require_known(const std::string& word, const KnownWords& known);
 
 }  // namespace zproof
