@@ -1,6 +1,8 @@
 #include "reports/terminal.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "reports/diagnosis_words.h"
@@ -39,7 +41,7 @@ const std::vector<Column> columns = [] {
     return all;
 }();
 using TextRow = std::vector<std::string>;  ///< a text for each column
-constexpr std::size_t longest_name = 40, gap = 2;
+constexpr std::size_t longest_name = 36, gap = 2;
 
 std::string word_of(Outcome outcome) { return std::string(in_words(outcome)); }
 
@@ -179,13 +181,16 @@ using Alike = std::vector<const ViewResult*>;
 /// Each view that is not proven, in reading order; those that are alike stand together.
 std::vector<Alike> failures(const Results& results) {
     std::vector<Alike> all;
+    std::map<std::pair<Outcome, std::string_view>, std::size_t> places;
     for (const ViewResult* v : failed_first(results)) {
         if (v->outcome == Outcome::proven) continue;
-        const auto alike = std::ranges::find_if(all, [&](const Alike& group) {
-            const ViewResult& first = *group.front();
-            return !was_judged(*v) && first.outcome == v->outcome && first.message == v->message;
-        });
-        alike == all.end() ? all.push_back({v}) : alike->push_back(v);
+        const auto place = was_judged(*v) ? places.end() : places.find({v->outcome, v->message});
+        if (place != places.end()) {
+            all[place->second].push_back(v);
+            continue;
+        }
+        places.insert({{v->outcome, v->message}, all.size()});
+        all.push_back({v});
     }
     return all;
 }

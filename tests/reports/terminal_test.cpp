@@ -153,7 +153,7 @@ TEST(Terminal, ALongNameKeepsBothEnds) {
     Results results = sample_results();
     results.views[0].scene = std::string(100, 'a') + "ö";
     const std::vector<std::string> lines = lines_of(summary_table(results, {}));
-    EXPECT_NE(lines[1].find("aaaaaaaaaaaaaaaaaaa…aaaaaaaaaaaaaaö/dawn  "), std::string::npos) << lines[1];
+    EXPECT_NE(lines[1].find("aaaaaaaaaaaaaaaaa…aaaaaaaaaaaaö/dawn  "), std::string::npos) << lines[1];
 }
 
 }  // namespace zproof
