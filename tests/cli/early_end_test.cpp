@@ -84,8 +84,9 @@ TEST_F(EndsEarly, BeforeItBeginsWhereTheRendererIsNotThere) {
 }
 
 TEST_F(EndsEarly, WhereTheRendererRefusesTheFirstThreeViews) {
-    const Ran ran = judged({"--renderer", "false {out}"});
+    const Ran ran = judged({"--renderer", "ls {scene} {out}"});
     EXPECT_EQ(ran.exit_code, 3);
+    EXPECT_THAT(ran.out, HasSubstr("'{out}': No such file")) << "the folder is another one each time";
     EXPECT_EQ(results().at("run").at("ending"), "stopped");
     EXPECT_EQ(views_of("unreadable"), 3);
     EXPECT_THAT(ran.out, HasSubstr("! unreadable  3 views: a/frame-all, b/frame-all, c/frame-all"));
