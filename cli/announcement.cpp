@@ -1,5 +1,8 @@
 #include "cli/announcement.h"
 
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -64,13 +67,35 @@ std::string where_to_look(const ReportArguments& report) {
     return (report.common.out / (page ? "report.html" : "results.json")).string();
 }
 
+/// "; next: zproof explain ...": the worst pixel of the first view that failed.
+std::string what_next(const Results& results) {
+    for (const ViewResult* view : failed_first(results))
+        if (view->outcome != Outcome::proven && !view->worst.empty())
+            return "; next: " + view->worst.front().command;
+    return "";
+}
+
+/// The screen's, where there is one; else that of most.
+std::size_t screen_width() {
+    winsize size{};
+    const bool is_known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return is_known ? size.ws_col : 80;
+}
+
+SummaryStyle summary_style(const ReportArguments& report, SummaryStyle::Rows rows) {
+    SummaryStyle style{.colour = wants_colours(report.common) ? Colour::ansi : Colour::plain};
+    if (report.columns == ReportArguments::Columns::all) return style;
+    style.width = screen_width();
+    style.rows = rows;
+    return style;
+}
+
 }  // namespace
 
-ExitCode announce(const Results& results, const ReportArguments& report) {
+ExitCode announce(const Results& results, const ReportArguments& report, SummaryStyle::Rows rows) {
     const ExitCode code = exit_code_of(results);
     const CommonArguments& common = report.common;
-    if (!common.is_quiet())
-        std::cout << summary_table(results, wants_colours(common) ? Colour::ansi : Colour::plain);
+    if (!common.is_quiet()) std::cout << summary_table(results, summary_style(report, rows));
     if (common.detail == Detail::times) std::cout << times_table(results);
     if (is_asked_for(report, ReportFormat::github)) {
         std::cout << to_github(results);
@@ -78,7 +103,7 @@ ExitCode announce(const Results& results, const ReportArguments& report) {
     }
     remark_on_waivers(results, common);
     std::cout << in_words(code) << ": " << judged_views(results) << one_line(what_was_judged(results))
-              << "; report: " << one_line(where_to_look(report)) << "\n";
+              << "; report: " << one_line(where_to_look(report) + what_next(results)) << "\n";
     return code;
 }
 

@@ -82,6 +82,7 @@ struct ReportArguments {
     PictureMode pictures = PictureMode::none;
     Evidence evidence = Evidence::defects;
     std::vector<ReportFormat> formats = usual_formats();
+    enum class Columns { that_fit, all } columns = Columns::that_fit;  ///< of the table of views
     GateArguments gate{};
     std::string typed{};              ///< the command line, quoted for a shell
     std::vector<std::string> argv{};  ///< the same, word by word
@@ -95,14 +96,25 @@ struct RandomChoice {
     std::vector<std::string> words() const;  ///< numbers from 0 on
 };
 
+/// Does a run go on where the first views were all refused in the same words?
+enum class Persistence { ends, keeps_going };
+
+/// What ends a run before all is judged.
+struct EarlyEndRule {
+    int max_failed_views = 0;  ///< 0: however many fail
+    Persistence persistence = Persistence::ends;
+};
+
 struct RunArguments {
     RunSize size = RunSize::usual;
-    std::vector<std::string> scenes;  ///< empty: the whole suite
-    std::filesystem::path models;     ///< where view files' models may lie; empty: beside them only
-    std::filesystem::path plan;       ///< that says all of this but the shard; empty: there is none
+    std::vector<std::string> scenes;    ///< empty: the whole suite, or those of `only_failed`
+    std::filesystem::path only_failed;  ///< results of a run: only views that failed there; empty: all
+    std::filesystem::path models;       ///< where view files' models may lie; empty: beside them only
+    std::filesystem::path plan;         ///< that says all of this but the shard; empty: there is none
     Shard shard;
     ShardStatus shard_status = ShardStatus::is_the_verdict;
     oracle::ReferenceCacheChoice reference_cache;
+    EarlyEndRule early_end;
     ChosenRenderers renderers;
     RenderSettings settings;
     ReportArguments report;
@@ -185,6 +197,7 @@ struct MergeArguments {
 
 struct ListArguments {
     CommonArguments common;
+    enum class Told { reasons, names } told = Told::reasons;
 };
 
 struct GenerateArguments {

@@ -154,6 +154,7 @@ ExitCode conclusion(const ContractTally& tally) {
 }  // namespace
 
 ExitCode execute(const ContractCheckArguments& arguments) {
+    require_program(arguments.renderer);
     const std::vector<Loaded> scenes = load_contract_scenes();
     note_interrupts();
     ContractTally tally{.expected = views_of(scenes), .causes = {}};

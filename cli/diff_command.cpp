@@ -7,6 +7,7 @@
 #include "frame/printable.h"
 #include "frame/whole_file.h"
 #include "reports/findings_file.h"
+#include "reports/report_error.h"
 #include "reports/results_diff.h"
 
 namespace zproof {
@@ -29,6 +30,20 @@ RunToCompare with_defects(const Results& results, const fs::path& run_folder) {
     return run;
 }
 
+std::string size_of(const ViewResult& view) {
+    return std::to_string(view.width) + " x " + std::to_string(view.height);
+}
+
+/// Pixels of two sizes are not the same pixels.
+void require_one_size(const std::vector<ViewChange>& changes) {
+    for (const auto& [scene, view, before, after, appeared, gone] : changes) {
+        if (before == nullptr || after == nullptr || !was_judged(*before) || !was_judged(*after)) continue;
+        if (size_of(*before) != size_of(*after))
+            throw ReportError{scene + "/" + view + ": was judged at " + size_of(*before) + " and then at " +
+                              size_of(*after) + "; judge both at the same --width and --height"};
+    }
+}
+
 std::string told(const DiffResultsArguments& arguments, const Results& before, const Results& after,
                  const std::vector<ViewChange>& changes) {
     if (arguments.format == DifferenceFormat::json) return differences_json(before, after, changes);
@@ -43,6 +58,7 @@ ExitCode execute(const DiffResultsArguments& arguments) {
     const std::vector<ViewChange> changes =
         changes_between(with_defects(before, folder_of_results(arguments.before)),
                         with_defects(after, folder_of_results(arguments.after)));
+    require_one_size(changes);
     std::cout << told(arguments, before, after, changes);
     return std::ranges::any_of(changes, is_worse) ? ExitCode::defect : ExitCode::proven;
 }

@@ -61,6 +61,7 @@ Story story_of(const ExplainArguments& arguments, const Scene& scene, const View
 }  // namespace
 
 ExitCode execute(const ExplainArguments& arguments) {
+    require_program(arguments.renderers.candidate);
     const SceneSource source = select_scene(arguments.scene, arguments.models);
     const Loaded loaded = load(source, arguments.settings.resolution);
     const View view = asked_view(arguments, loaded);

@@ -99,6 +99,7 @@ void write(const FitArguments& arguments, const std::vector<FittedView>& views, 
 }  // namespace
 
 ExitCode execute(const FitArguments& arguments) {
+    require_program(arguments.renderer);
     const std::vector<SceneSource> sources = select_scenes(arguments.scenes);
     note_interrupts();
     const Fitted fitted = fit_all(arguments, sources);

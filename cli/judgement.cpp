@@ -55,7 +55,7 @@ bool may_pass(const Results& results, ExitCode code, ShardStatus status) {
 
 ExitCode judge_and_report(const RunRequest& request) {
     const auto& [sources, renderers, settings, report, selection, shard, shard_status, reference_cache,
-                 views] = request;
+                 early_end_rule, views] = request;
     const Gate gate = open_gate(report.gate);
     Results results{.version = version_number(),
                     .commit = commit(),
@@ -79,12 +79,14 @@ ExitCode judge_and_report(const RunRequest& request) {
     if (!reference_cache.folder.empty()) cache.emplace(reference_cache);
     FolderNames names;
     std::size_t scenes_left = 0;
+    EarlyEnd early_end(early_end_rule);
     {
         Progress progress{std::cerr, progress_of(report.common), expected_work(sources, report.common.out)};
         const RunConfig config{settings.resolution,
                                out.working(),
                                names,
                                progress,
+                               early_end,
                                renderers,
                                gate,
                                report.pictures,
@@ -103,7 +105,9 @@ ExitCode judge_and_report(const RunRequest& request) {
         out, report.common, results.ending == Ending::complete ? Completeness::full : Completeness::partial);
     if (!report.common.is_quiet())
         std::cout << shrunk_in_words(results, report.common.out, published.common.out);
-    const ExitCode code = announce(results, published);
+    const bool are_told = progress_of(report.common) == ProgressStyle::lines;
+    const ExitCode code =
+        announce(results, published, are_told ? SummaryStyle::Rows::none : SummaryStyle::Rows::each_view);
     if (may_pass(results, code, shard_status)) return ExitCode::proven;
     if (code != ExitCode::interrupted) return code;
     return say_interrupted(judged_of(results, scenes_left), "view", "judged and written");

@@ -20,6 +20,7 @@ struct RunRequest {
     Shard shard{};
     ShardStatus shard_status = ShardStatus::is_the_verdict;
     oracle::ReferenceCacheChoice reference_cache{};
+    EarlyEndRule early_end{};
     ViewChoice views{};  ///< of every scene
 };
 

@@ -103,7 +103,7 @@ ExitCode write_whole(Results whole, const std::vector<fs::path>& shards, const R
     gather_shrunk(shards, out.working());
     on_threads(common.threads, [&] { write_reports(out.working(), whole, report.formats); });
     publish(out, common, whole.ending == Ending::complete ? Completeness::full : Completeness::partial);
-    return announce(whole, report);
+    return announce(whole, report, SummaryStyle::Rows::each_view);
 }
 
 }  // namespace

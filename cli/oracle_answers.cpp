@@ -1,8 +1,10 @@
 #include "cli/oracle_answers.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
+#include "cli/plan/expected_seconds.h"
 #include "compare/judge.h"
 #include "oracle/oracle_error.h"
 
@@ -13,11 +15,26 @@ OpenedOracle absent(const OracleChoice& choice, const std::string& why) {
     return {.choice = choice, .absent = why, .renderer = {}};
 }
 
+/// Why an oracle that nobody named is not asked; empty: it is.
+std::string why_not_asked(const OracleChoice& choice, const Renderer& oracle, const Scene& scene,
+                          const std::vector<View>& views) {
+    if (choice.pixels != OracleChoice::Pixels::sample_if_cheap || !oracle.sample_price_s) return "";
+    const PlannedScene rest = expected_of("", scene, views, 1);
+    double left_s = std::accumulate(rest.view_s.begin(), rest.view_s.end(), rest.setup_s);
+    for (const View& view : views)
+        if ((left_s -= oracle.sample_price_s(view, left_s)) < 0)
+            return "not asked, since it takes longer than all the rest; --oracle " + oracle.name +
+                   ":sample asks it";
+    return "";
+}
+
 OpenedOracle open_oracle(const OracleChoice& choice, const Scene& scene, const std::vector<View>& views) {
     if (const std::string why = absence_of(choice.renderer); !why.empty()) return absent(choice, why);
     try {
         OpenedOracle oracle{.choice = choice, .absent = "", .renderer = open(choice.renderer, scene)};
-        if (choice.pixels == OracleChoice::Pixels::sample && oracle.renderer.begin_sample)
+        if (const std::string why = why_not_asked(choice, oracle.renderer, scene, views); !why.empty())
+            return absent(choice, why);
+        if (choice.pixels != OracleChoice::Pixels::all && oracle.renderer.begin_sample)
             oracle.samples = std::make_unique<SampledViews>(oracle.renderer, views);
         return oracle;
     } catch (const OracleError& e) {

@@ -10,14 +10,17 @@
 namespace zproof {
 namespace {
 
-/// "defective   room / main  0.3 s". Names come from files: what could write to the terminal is taken out of
-/// them.
+/// "defective   room / main: 3 defects, err/bound 41.2  0.3 s". Names come from files: what could write to
+/// the terminal is taken out of them.
 std::string line_for(const ViewResult& view) {
     std::string line{name_of(view.outcome)};
     line.resize(std::max<std::size_t>(line.size(), 10), ' ');
     line += "  " + one_line(view.scene);
     if (!view.view.empty()) line += " / " + one_line(view.view);
     if (!view.message.empty()) line += ": " + one_line(view.message);
+    if (was_judged(view))
+        line += ": " + (defect_count(view) == 0 ? "" : counted(defect_count(view), "defect") + ", ") +
+                "err/bound " + error_over_bound_words(view);
     constexpr std::size_t around = 40;  // the share that is done, and the times
     line = shortened(line, longest_line_bytes - around);
     const double took = seconds(view.times);
@@ -27,12 +30,6 @@ std::string line_for(const ViewResult& view) {
 double all_of(const std::vector<SceneWork>& scenes) {
     return std::accumulate(scenes.begin(), scenes.end(), 0.0,
                            [](double sum, const SceneWork& scene) { return sum + scene.work; });
-}
-
-/// Scenes differ by orders of magnitude: before they were measured, a few say nothing of the others.
-Estimate estimate_for(const std::vector<SceneWork>& scenes) {
-    const bool any = std::ranges::count(scenes, SceneWork::Known::measured, &SceneWork::known) > 0;
-    return any ? Estimate::from_the_start : Estimate::from_half_of_the_work;
 }
 
 }  // namespace
@@ -48,16 +45,12 @@ std::vector<SceneWork> expected_work(const std::vector<std::string>& scenes, con
     const double otherwise = count == 0 ? 1 : known / double(count);
     std::vector<SceneWork> work;
     for (const std::string& scene : scenes)
-        work.push_back(took.contains(scene) ? SceneWork{scene, took[scene], SceneWork::Known::measured}
-                                            : SceneWork{scene, otherwise});
+        work.push_back({scene, took.contains(scene) ? took[scene] : otherwise});
     return work;
 }
 
 Progress::Progress(std::ostream& out, ProgressStyle style, std::vector<SceneWork> scenes)
-    : out_(out),
-      style_(style),
-      scenes_(std::move(scenes)),
-      work_(out, style, all_of(scenes_), estimate_for(scenes_)) {}
+    : out_(out), style_(style), scenes_(std::move(scenes)), work_(out, style, all_of(scenes_)) {}
 
 void Progress::begin_scene(const std::string& name) {
     left_ = per_view_ = begun_ < scenes_.size() ? scenes_[begun_].work : 0;

@@ -13,10 +13,8 @@ namespace zproof {
 
 /// A scene of the run, and about how much work it is, in any unit.
 struct SceneWork {
-    enum class Known { guessed, measured };
     std::string scene;
     double work = 1;
-    Known known = Known::guessed;
 };
 
 /// What each scene is taken to cost: the seconds that it took in an earlier run of the same output folder

@@ -58,6 +58,7 @@ void require_done(int status) {
 }  // namespace
 
 ExitCode execute(const RenderArguments& arguments) {
+    require_program(arguments.renderer);
     if (!arguments.filter.empty())
         if (const int status = status_of(*companion_named("filters"), filtered_words(arguments, {}));
             status != 0)

@@ -13,7 +13,7 @@
 namespace zproof {
 namespace {
 
-constexpr const char* nobody = "none";
+constexpr std::string_view nobody = "none", sample_word = ":sample";
 
 /// The oracles of a run that names none.
 std::vector<std::string> default_oracles() { return {"povray"}; }
@@ -22,9 +22,14 @@ RendererChoice stored_frame(const std::string& file, const std::string& precisio
     return {.who = StoredFrame{file}, .precision_word = precision};
 }
 
+/// "povray" of "povray:sample".
+std::string name_in(const std::string& word) {
+    return word.ends_with(sample_word) ? word.substr(0, word.size() - sample_word.size()) : word;
+}
+
 RendererChoice oracle_named(const std::string& name) {
     if (std::ranges::count(renderer_names(), name) > 0) return renderer_from_word(name);
-    std::string names = nobody;
+    std::string names(nobody);
     for (const std::string& known : renderer_names()) names += ", " + known;
     throw UsageError{"oracle '" + name + "': expected one of " + names +
                      did_you_mean(name, renderer_names())};
@@ -37,8 +42,11 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 /// The names, each once, in their order; "none" is no name.
 std::vector<std::string> each_once(const std::vector<std::string>& names) {
     std::vector<std::string> once;
+    const auto is_new = [&](const std::string& word) {
+        return std::ranges::none_of(once, [&](const std::string& o) { return name_in(o) == name_in(word); });
+    };
     for (const std::string& name : names)
-        if (name != nobody && !contains(once, name)) once.push_back(name);
+        if (name != nobody && is_new(name)) once.push_back(name);
     return once;
 }
 
@@ -48,12 +56,13 @@ std::vector<std::string> oracle_names(const RendererWords& words) {
     return each_once(names);
 }
 
-OracleChoice oracle_choice(const std::string& name, const RendererWords& words) {
-    const bool required = contains(words.required, name);
-    const bool asked = required || (words.oracles && contains(*words.oracles, name));
-    OracleChoice choice{.renderer = oracle_named(name)};
+OracleChoice oracle_choice(const std::string& word, const RendererWords& words) {
+    const bool required = contains(words.required, word) || contains(words.required, name_in(word));
+    const bool asked = required || (words.oracles && contains(*words.oracles, word));
+    OracleChoice choice{.renderer = oracle_named(name_in(word))};
     choice.renderer.time_limit = std::chrono::seconds{words.time_limit_s};
-    if (!asked) choice.pixels = OracleChoice::Pixels::sample;
+    if (word.ends_with(sample_word)) choice.pixels = OracleChoice::Pixels::sample;
+    if (!asked) choice.pixels = OracleChoice::Pixels::sample_if_cheap;
     if (asked) choice.need = required ? OracleChoice::Need::required : OracleChoice::Need::named;
     return choice;
 }
@@ -135,7 +144,8 @@ void add_reference_words(CLI::App& app, RendererWords& words) {
 
 void add_oracle_options(CLI::App& app, RendererWords& words) {
     app.add_option("--oracle", words.oracles,
-                   "oracles beside Embree, each judged as well: povray,opengl; or none")
+                   "oracles beside Embree, each judged as well: povray,opengl; povray:sample: at some "
+                   "pixels; or none")
         ->type_name("ORACLES")
         ->delimiter(',')
         ->allow_extra_args(false);  // the next word is a scene
@@ -143,6 +153,19 @@ void add_oracle_options(CLI::App& app, RendererWords& words) {
         ->type_name("RENDERERS")
         ->delimiter(',')
         ->allow_extra_args(false);
+}
+
+void take_renderer(std::vector<std::string>& typed, RendererWords& words) {
+    const auto is_renderer = [](const std::string& word) {
+        return contains(renderer_names(), word) || word.find("{out}") != std::string::npos;
+    };
+    for (auto word = std::ranges::find_if(typed, is_renderer); word != typed.end();
+         word = std::ranges::find_if(typed, is_renderer)) {
+        if (words.renderer != RendererWords{}.renderer)
+            throw UsageError{"'" + words.renderer + "' and '" + *word + "' are two renderers; expected one"};
+        words.renderer = *word;
+        typed.erase(word);
+    }
 }
 
 RendererChoice candidate_of(const RendererWords& words) {
@@ -163,9 +186,10 @@ ChosenRenderers chosen_renderers(const RendererWords& words) {
         renderers.reference = stored_frame(words.reference, words.reference_precision);
         renderers.reference.convention = words.reference_convention;
     }
-    for (const std::string& name : oracle_names(words))
-        if (name != name_of(renderers.candidate) && name != name_of(renderers.reference))
-            renderers.oracles.push_back(oracle_choice(name, words));
+    for (const std::string& word : oracle_names(words))
+        if (const std::string name = name_in(word);
+            name != name_of(renderers.candidate) && name != name_of(renderers.reference))
+            renderers.oracles.push_back(oracle_choice(word, words));
     return renderers;
 }
 

@@ -35,6 +35,10 @@ void add_stored_frame_options(CLI::App& app, RendererWords& words);  ///< --cand
 void add_reference_words(CLI::App& app, RendererWords& words);
 void add_oracle_options(CLI::App& app, RendererWords& words);  ///< --oracle, --require
 
+/// Takes a renderer from among the words after a command, where one stands there: `zproof fit embree room` is
+/// `zproof fit room --renderer embree`. Throws UsageError where there are two.
+void take_renderer(std::vector<std::string>& typed, RendererWords& words);
+
 /// The renderer that the words call the candidate. Throws UsageError.
 RendererChoice candidate_of(const RendererWords& words);
 

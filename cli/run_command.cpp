@@ -17,6 +17,11 @@ ExitCode execute(const RunArguments& arguments) {
     if (const std::string words = in_words(selected.selection.passed_over);
         !words.empty() && !arguments.report.common.is_quiet())
         std::cerr << "zproof: " << shortened(words, longest_line_bytes - 10) << "\n";
+    if (selected.sources.empty() && !arguments.only_failed.empty()) {
+        std::cerr << "zproof: nothing to judge: no view of what was named failed in "
+                  << one_line(arguments.only_failed.string()) << "\n";
+        return ExitCode::nothing;
+    }
     if (selected.sources.empty()) {
         std::cerr << "zproof: nothing to judge: no " << model_endings
                   << " and no .view.json in what was named; export any other model as .glb\n";
@@ -29,7 +34,8 @@ ExitCode execute(const RunArguments& arguments) {
                              .selection = std::move(selected.selection),
                              .shard = arguments.shard,
                              .shard_status = arguments.shard_status,
-                             .reference_cache = arguments.reference_cache});
+                             .reference_cache = arguments.reference_cache,
+                             .early_end = arguments.early_end});
 }
 
 }  // namespace zproof

@@ -270,7 +270,9 @@ ViewResult without_triangles(const SceneSource& source, const Scene& scene) {
     return result;
 }
 
-constexpr const char* left_words = "interrupted before it was judged";
+std::string left_words(const EarlyEnd& early_end) {
+    return early_end.is_due() ? early_end.why() : "interrupted before it was judged";
+}
 
 /// The scene's results in the making: each is told as soon as it is there.
 class Record {
@@ -279,20 +281,24 @@ class Record {
 
     void add(ViewResult result) {
         config_.progress.tell(result);
+        config_.early_end.note(result);
         results_.push_back(std::move(result));
     }
 
-    /// What came of the view at this place among all of them.
-    void add(ViewResult result, std::size_t place, const std::vector<View>& views) {
-        result.view_place = place;
-        result.scene_views = views.size();
-        add(std::move(result));
-    }
+    /// Views that nobody judges: they are counted at the end, and not told one by one.
+    void leave(ViewResult result) { results_.push_back(std::move(result)); }
 
   private:
     const RunConfig& config_;
     std::vector<ViewResult>& results_;
 };
+
+/// What came of the view at this place among all of them.
+ViewResult at_place(ViewResult result, std::size_t place, const std::vector<View>& views) {
+    result.view_place = place;
+    result.scene_views = views.size();
+    return result;
+}
 
 /// What one scene is judged with, and where that is told.
 struct SceneRun {
@@ -301,9 +307,11 @@ struct SceneRun {
     StageClock& clock;
     Record& record;
 
-    void leave(std::span<const std::size_t> places, const std::vector<View>& views) const {
+    Ending leave(std::span<const std::size_t> places, const std::vector<View>& views) const {
+        const std::string words = left_words(config.early_end);
         for (const std::size_t i : places)
-            record.add(unjudged(source, views[i], Outcome::not_judged, left_words), i, views);
+            record.leave(at_place(unjudged(source, views[i], Outcome::not_judged, words), i, views));
+        return config.early_end.is_due() ? Ending::stopped : Ending::interrupted;
     }
 };
 
@@ -319,17 +327,17 @@ Ending run_places(const SceneRun& run, const Scene& scene, const std::vector<Vie
         const std::size_t i = places.front();
         const ViewContext context{source, scene, scene_sha256, views[i], config.renderers};
         std::optional<ViewResult> result;
-        if (!interrupted())
+        if (!interrupted() && !config.early_end.is_due())
             result = run_view_or_say_why_not({.context = context,
                                               .opened = opened,
                                               .config = config,
                                               .clock = clock,
                                               .place = i,
                                               .is_last = places.size() == 1});
-        if (!result) return run.leave(places, views), Ending::interrupted;
+        if (!result) return run.leave(places, views);
         result->times = clock.take();
         config.progress.end_view();
-        record.add(std::move(*result), i, views);
+        record.add(at_place(std::move(*result), i, views));
         places = places.subspan(1);
     }
     return Ending::complete;
@@ -349,7 +357,7 @@ Ending run_views(const SceneRun& run) {
     const std::vector<std::size_t> places = places_in(source.share, views);
     if (places.empty()) return Ending::complete;
     config.progress.expect_views(places.size());
-    if (interrupted()) return run.leave(places, views), Ending::interrupted;
+    if (interrupted()) return run.leave(places, views);
     return run_places(run, loaded.scene, views, places);
 }
 
@@ -360,7 +368,9 @@ void hold_to_expectations(const SceneSource& source, const RunConfig& config,
     for (ViewResult& view : views) view.expects = source.expects;
     const Outcome told = views.back().outcome;
     hold_to_expectations(views);
-    if (views.back().outcome != told) config.progress.tell(views.back());
+    if (views.back().outcome == told) return;
+    config.progress.tell(views.back());
+    config.early_end.note(views.back());
 }
 
 /// All views of a scene. One that cannot be read, or in which a renderer cannot begin, is a result.
@@ -413,8 +423,8 @@ ViewResult ended_by_fault(const SceneSource& source, const RunConfig& config, co
             judging_command_for(source, config.renderers, resolution_of(source, config), config.command));
 }
 
-ViewResult left_by_interrupt(const SceneSource& source) {
-    return unjudged(source, Outcome::not_judged, left_words);
+ViewResult left_out(const SceneSource& source, const EarlyEnd& early_end) {
+    return unjudged(source, Outcome::not_judged, left_words(early_end));
 }
 
 SceneReport run_scene(const SceneSource& source, const RunConfig& config) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/arguments.h"
+#include "cli/early_end.h"
 #include "cli/gate/gate.h"
 #include "cli/outcome_code.h"
 #include "cli/progress.h"
@@ -30,6 +31,7 @@ struct RunConfig {
     std::filesystem::path run_folder;  ///< evidence goes below it, into scenes/
     FolderNames& names;
     Progress& progress;
+    EarlyEnd& early_end;
     const ChosenRenderers& renderers;
     const Gate& gate;
     PictureMode pictures;
@@ -45,8 +47,8 @@ struct RunConfig {
 /// The view's projection, where it is none of those that the renderer has.
 std::string refused_projection(const Projections& has, const Camera& camera);
 
-/// Stands in for a scene that an interrupt kept from being begun.
-ViewResult left_by_interrupt(const SceneSource& source);
+/// Stands in for a scene that was not begun, since the run ended early or was interrupted.
+ViewResult left_out(const SceneSource& source, const EarlyEnd& early_end);
 
 /// Stands in for a scene that a fault of zproof's own kept from being judged: how it ended, at which stage
 /// (empty: none had begun), and the command that shows it again.
@@ -56,7 +58,7 @@ ViewResult ended_by_fault(const SceneSource& source, const RunConfig& config, co
 /// What came of one scene.
 struct SceneReport {
     std::vector<ViewResult> views;  ///< at least one; an unreadable scene and one without triangles say so,
-                                    ///< and so does each view that an interrupt left unjudged
+                                    ///< and so does each view that was left unjudged
     Ending ending = Ending::complete;
 };
 

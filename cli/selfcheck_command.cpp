@@ -84,7 +84,11 @@ class Selfcheck {
             if (interrupted()) return;
             const std::string pair = name + ", " + variant.name;
             try {
-                tell(pair, measure::check_variant(renderer_, scene, view, original, variant));
+                measure::VariantResult result;
+                const auto check_variant = [&] {
+                    result = measure::check_variant(renderer_, scene, view, original, variant);
+                };
+                if (done_uninterrupted(check_variant)) tell(pair, result);
             } catch (const OracleError& e) {
                 tell_missing(pair, e.what());
             }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iostream>
+#include <iterator>
 
 #include "cli/commands.h"
 #include "program/nearest_word.h"
@@ -17,9 +18,15 @@ std::vector<std::string> names_of(const std::vector<SuiteEntry>& entries) {
     return names;
 }
 
+/// With those of thorough runs.
+std::vector<std::string> all_names() {
+    std::vector<std::string> names = names_of(suite_manifest());
+    std::ranges::move(names_of(thorough_manifest()), std::back_inserter(names));
+    return names;
+}
+
 void require_in_the_suite(const std::vector<std::string>& requested) {
-    std::vector<std::string> suite = names_of(suite_manifest());
-    for (const SuiteEntry& entry : thorough_manifest()) suite.push_back(entry.name);
+    const std::vector<std::string> suite = all_names();
     for (const std::string& name : requested)
         if (std::ranges::find(suite, name) == suite.end())
             throw SceneError{name + ": no such scene in the suite" + did_you_mean(name, suite) +
@@ -34,7 +41,11 @@ void print(const SuiteEntry& entry) {
 
 }  // namespace
 
-ExitCode execute(const ListArguments&) {
+ExitCode execute(const ListArguments& arguments) {
+    if (arguments.told == ListArguments::Told::names) {
+        for (const std::string& name : all_names()) std::cout << name << "\n";
+        return ExitCode::proven;
+    }
     for (const SuiteEntry& entry : suite_manifest()) print(entry);
     for (const SuiteEntry& entry : thorough_manifest()) {
         print(entry);

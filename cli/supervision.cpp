@@ -28,23 +28,31 @@ class Supervision {
         while (const std::optional<Message> message = worker.next()) take(*message);
         const std::string how = worker.end();
         if (all_are_judged()) return;
-        if (how.empty() && (interrupted() || results_.ending == Ending::interrupted))
-            results_.ending = Ending::interrupted;
+        if (how.empty() && (is_over() || interrupted()))
+            results_.ending = ending_of_the_left();
         else
             lose_scene(how.empty() ? "ended without a word" : how);
     }
 
     bool all_are_judged() const { return next_ == sources_.size(); }
 
+    /// Nothing more is to be begun.
+    bool is_over() const { return config_.early_end.is_due() || results_.ending != Ending::complete; }
+
     /// Those that were not begun; returns how many they are.
     std::size_t leave_the_rest() {
         const std::size_t left = sources_.size() - next_;
-        if (left > 0) results_.ending = Ending::interrupted;
-        while (next_ < sources_.size()) results_.views.push_back(left_by_interrupt(sources_[next_++]));
+        if (left > 0) results_.ending = ending_of_the_left();
+        while (next_ < sources_.size())
+            results_.views.push_back(left_out(sources_[next_++], config_.early_end));
         return left;
     }
 
   private:
+    Ending ending_of_the_left() const {
+        return config_.early_end.is_due() ? Ending::stopped : Ending::interrupted;
+    }
+
     void take(const Message& message) {
         switch (message.kind) {
             case Message::Kind::facts:
@@ -71,8 +79,10 @@ class Supervision {
     void take_scene(Results scene) {
         follow_progress();
         results_.ending = scene.ending;
-        for (const ViewResult& view : scene.views)
+        for (const ViewResult& view : scene.views) {
+            config_.early_end.note(view);
             if (!view.folder.empty()) config_.names.take(fs::path(view.folder).filename().string());
+        }
         std::ranges::move(scene.views, std::back_inserter(results_.views));
         stage_.clear();
     }
@@ -81,6 +91,7 @@ class Supervision {
         ViewResult lost = ended_by_fault(sources_[next_], config_, how, stage_);
         follow_progress();
         config_.progress.tell(lost);
+        config_.early_end.note(lost);
         results_.views.push_back(std::move(lost));
         remove_unfinished_evidence();
     }
@@ -114,7 +125,7 @@ std::size_t judge_supervised(const std::vector<SceneSource>& sources, const RunC
                              Results& results) {
     Supervision supervision(sources, config, results);
     do supervision.judge_on(threads);
-    while (!supervision.all_are_judged() && results.ending == Ending::complete && !interrupted());
+    while (!supervision.all_are_judged() && !supervision.is_over() && !interrupted());
     return supervision.leave_the_rest();
 }
 

@@ -67,7 +67,7 @@ struct Work {
             results.views = std::move(report.views);
             tell(Message::Kind::scene, to_message_pack(results));
             malloc_trim(0);  // the next scene wants it in other pieces: kept, it would become more and more
-            if (report.ending == Ending::interrupted) return;
+            if (report.ending != Ending::complete || config.early_end.is_due()) return;
         }
     }
 

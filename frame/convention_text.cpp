@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "frame/convention_presets.h"
+#include "frame/did_you_mean.h"
 #include "frame/found_text.h"
 #include "frame/frame_error.h"
 #include "frame/input_file.h"
@@ -140,7 +141,7 @@ void store(Convention& to, const std::string& name, const Json& value, const std
             refuse_key(place, name, "expected " + std::string(key.expected) + ", found " + found_text(value));
         return;
     }
-    refuse_key(place, name, "unknown key; allowed here: " + joined(known));
+    refuse_key(place, name, "unknown key" + did_you_mean_or_all(name, known));
 }
 
 /// Facts that only make sense together.
@@ -215,7 +216,7 @@ Convention from_word(const std::string& word, const std::string& place) {
         parts.erase(parts.begin());
     } else if (parts.front().find('=') == std::string::npos) {
         throw FrameError(place + ": expected one of " + joined(convention_names()) +
-                         ", KEY=VALUE,... or a JSON file");
+                         ", KEY=VALUE,... or a JSON file" + did_you_mean(parts.front(), convention_names()));
     }
     store_assignments(convention, parts, place);
     return convention;

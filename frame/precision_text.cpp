@@ -5,10 +5,13 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
+#include "frame/did_you_mean.h"
 #include "frame/found_text.h"
 #include "frame/frame_error.h"
 #include "frame/input_file.h"
+#include "frame/joined.h"
 #include "frame/number_text.h"
 #include "frame/precision_fields.h"
 #include "frame/precision_presets.h"
@@ -81,8 +84,10 @@ class Declaration {
         return value;
     }
 
-    void refuse_what_is_left(const std::string& allowed) const {
-        if (!object_.empty()) refuse(object_.begin().key(), "unknown key; allowed here: " + allowed);
+    void refuse_what_is_left(const std::vector<std::string>& allowed) const {
+        if (object_.empty()) return;
+        const std::string& key = object_.begin().key();
+        refuse(key, "unknown key" + did_you_mean_or_all(key, allowed));
     }
 
     [[noreturn]] void refuse(const std::string& key, const std::string& why) const {
@@ -117,10 +122,10 @@ P precision_of(Declaration& declaration) {
     };
     visit_fields(p, set);
     set_defaults(p, declaration);
-    std::string allowed = "kind, projections";
+    std::vector<std::string> allowed{"kind", "projections"};
     visit_fields(p, [&](const char* key, auto&, const auto&...) {
         declaration.take(key);
-        allowed += std::string(", ") + key;
+        allowed.emplace_back(key);
     });
     declaration.take("projections");
     declaration.refuse_what_is_left(allowed);
@@ -152,10 +157,15 @@ Json with_preset(Json object) {
 }
 
 std::string kinds_in_words() {
-    std::string words = "expected \"raster\", \"ray\", \"plane_ray\", \"bounded\" or a preset: ";
-    for (const PrecisionPreset& preset : precision_presets())
-        words += (&preset == &precision_presets().front() ? "" : ", ") + std::string(preset.name);
-    return words;
+    return R"(expected "raster", "ray", "plane_ray", "bounded" or a preset: )" +
+           joined(precision_presets(), ", ", &PrecisionPreset::name);
+}
+
+/// The kind that a word which is none was meant to be, as the end of a sentence.
+std::string meant_kind(const std::string& word) {
+    std::vector<std::string> kinds{"raster", "ray", "plane_ray", "bounded"};
+    for (const PrecisionPreset& preset : precision_presets()) kinds.emplace_back(preset.name);
+    return did_you_mean(word.substr(0, word.find(',')), kinds);
 }
 
 bool is_kind(const std::string& word) {
@@ -228,8 +238,8 @@ Undeclared object_of_word(const std::string& word) {
     if (is_promise_in_words(word)) return {object_from_word(word), "precision '" + word + "'"};
     return parsed(
         read_input(
-            word,
-            {.words = "a JSON file, a preset such as opengl, or a word such as raster,subpixel_bits=8"}),
+            word, {.words = "a JSON file, a preset such as opengl, or a word such as raster,subpixel_bits=8" +
+                            meant_kind(word)}),
         word);
 }
 

@@ -51,8 +51,9 @@ std::optional<ChannelPlace> only_channel(const ImageFile& file, const Layer& lay
         file.name() + ": channel '" + channel + "' is missing; the file holds " + file.what_it_holds() +
         (file.format() == Format::exr
              ? ""
-             : "; expected an image of one channel: unsigned integers for ids, floats for depths; "
-               "two files are named as IDS+DEPTHS"));
+             : "; expected an image of one channel: unsigned integers for ids, floats for depths "
+               "(integers where --convention depth_scale=0.001 says what 1 is); two files are named as "
+               "IDS+DEPTHS"));
 }
 
 ChannelPlace require(const ImageFile& file, const Layer& layer) {

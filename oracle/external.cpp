@@ -42,18 +42,22 @@ std::string filled_in(const std::string& command, const std::array<Meaning, Coun
     return line;
 }
 
-/// What the program said last, as the end of a sentence.
-std::string what_it_said(const Outcome& outcome) {
-    const std::string said = last_output(outcome);
-    return said.empty() ? "" : "; it said: " + said;
+/// The text with the command's own words for the files of this folder, which no other run has.
+std::string as_typed(std::string text, const fs::path& folder) {
+    using Name = std::pair<const char*, const char*>;
+    for (const auto& [file, word] :
+         {Name{"scene.glb", "{scene}"}, Name{"camera.json", "{camera}"}, Name{"frame.exr", "{out}"}}) {
+        const std::string path = (folder / file).string();
+        for (std::size_t at; (at = text.find(path)) != std::string::npos;)
+            text.replace(at, path.size(), word);
+    }
+    return text;
 }
 
-/// The error message with the command's own word for the file that it is about.
-std::string about_out(std::string complaint, const fs::path& out) {
-    const std::string path = out.string();
-    for (std::size_t at; (at = complaint.find(path)) != std::string::npos;)
-        complaint.replace(at, path.size(), "{out}");
-    return complaint;
+/// What the program said last, as the end of a sentence.
+std::string what_it_said(const Outcome& outcome, const fs::path& folder) {
+    const std::string said = last_output(outcome);
+    return said.empty() ? "" : "; it said: " + as_typed(said, folder);
 }
 
 /// What lies beside `out` under its name and a suffix.
@@ -131,11 +135,12 @@ auto External::answer(const View& view, const Read& read) const {
     const Outcome outcome = run({.arguments = shell_line(line), .time_limit = time_limit_});
     if (!outcome.succeeded())
         throw OracleError{"renderer '" + command_ + "': " + in_words(outcome, time_limit_) +
-                          what_it_said(outcome)};
+                          what_it_said(outcome, folder_->path())};
     try {
         return read(answer_at(out), time_left(begun));
     } catch (const FrameError& e) {
-        throw OracleError{"renderer '" + command_ + "': " + about_out(e.what(), out) + what_it_said(outcome)};
+        throw OracleError{"renderer '" + command_ + "': " + as_typed(e.what(), folder_->path()) +
+                          what_it_said(outcome, folder_->path())};
     }
 }
 

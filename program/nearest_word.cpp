@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "frame/joined.h"
 #include "program/usage_error.h"
 
 namespace zproof {
@@ -10,7 +9,7 @@ namespace zproof {
 void require_known(const std::string& word, const KnownWords& known) {
     if (std::ranges::find(known.words, word) != known.words.end()) return;
     throw UsageError{known.place + " '" + word + "': no such " + known.kind +
-                     did_you_mean(word, known.words) + " (known: " + joined(known.words) + ")"};
+                     did_you_mean_or_all(word, known.words)};
 }
 
 }  // namespace zproof

@@ -1,10 +1,10 @@
-/// A word that must be known.
+/// A word that must be one of some.
 #pragma once
 
 #include <span>
 #include <string>
 
-#include "frame/nearest_word.h"
+#include "frame/did_you_mean.h"
 
 namespace zproof {
 
@@ -15,7 +15,7 @@ struct KnownWords {
     std::string kind;   ///< "region"
 };
 
-/// Throws UsageError, with the nearest and all known words, where the word is none of them.
+/// Throws UsageError, with the nearest of the known words or with all, where the word is none of them.
 void require_known(const std::string& word, const KnownWords& known);
 
 }  // namespace zproof

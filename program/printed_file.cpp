@@ -26,11 +26,10 @@ void require_writable(const std::filesystem::path& file) {
     if (::access(folder.c_str(), W_OK | X_OK) != 0) refuse(std::strerror(errno));
 }
 
-/// Why standard output took less than was written.
-std::string why_stdout_failed() {
+/// Is standard output a pipe whose reader has seen enough, such as `head`?
+bool stdout_has_no_reader() {
     pollfd stdout_end{STDOUT_FILENO, 0, 0};
-    const bool has_no_reader = poll(&stdout_end, 1, 0) == 1 && (stdout_end.revents & POLLERR) != 0;
-    return has_no_reader ? "was closed before all was written" : "cannot be written; is the disk full?";
+    return poll(&stdout_end, 1, 0) == 1 && (stdout_end.revents & POLLERR) != 0;
 }
 
 }  // namespace
@@ -46,7 +45,8 @@ PrintedFile::~PrintedFile() { std::cout.rdbuf(stdout_); }
 
 void PrintedFile::finish() {
     if (!file_.empty()) return write_whole_file(file_, text_.view());
-    if (!std::cout.flush()) throw std::runtime_error{"stdout: " + why_stdout_failed()};
+    if (!std::cout.flush() && !stdout_has_no_reader())
+        throw std::runtime_error{"stdout: cannot be written; is the disk full?"};
 }
 
 }  // namespace zproof

@@ -70,7 +70,13 @@ bool has_view_file(const fs::path& model) {
     return fs::exists(model.parent_path() / (stem_of(model) + ".view.json"), ignored);
 }
 
-/// What lies below a folder.
+/// Is it the output folder of a run?
+bool holds_results(const fs::path& folder) {
+    std::error_code ignored;
+    return fs::exists(folder / output_marker, ignored) && fs::exists(folder / "results.json", ignored);
+}
+
+/// What lies below a folder, but for what zproof wrote about scenes.
 class FolderWalk {
   public:
     explicit FolderWalk(const fs::path& folder) {
@@ -91,10 +97,14 @@ class FolderWalk {
         std::error_code failure, ignored;
         for (auto i = fs::directory_iterator(folder, failure); !failure && i != end(i); i.increment(failure))
             if (i->symlink_status(ignored).type() == fs::file_type::directory)
-                gather(i->path());
-            else if (!i->is_directory(ignored))
+                gather_unless_results(i->path());
+            else if (!i->is_directory(ignored) && i->path().filename() != output_marker)
                 take(i->path());
         if (failure) found_.push_back(folder);
+    }
+
+    void gather_unless_results(const fs::path& folder) {
+        if (!holds_results(folder)) gather(folder);
     }
 
     void take(const fs::path& file) {
@@ -276,7 +286,9 @@ std::vector<std::size_t> places_in(const ViewShare& share, const std::vector<Vie
         return share.planned->wanted;
     }
     std::vector<std::size_t> places;
-    for (std::size_t i = share.first; i < views.size(); i += share.stride) places.push_back(i);
+    for (std::size_t i = share.first; i < views.size(); i += share.stride)
+        if (share.only.empty() || std::ranges::count(share.only, shown_name(views[i])) > 0)
+            places.push_back(i);
     return places;
 }
 

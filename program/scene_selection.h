@@ -21,10 +21,12 @@ struct PlannedViews {
     std::vector<std::size_t> wanted;  ///< places in it, ascending; of a scene without views: 0
 };
 
-/// Without a plan: the view `first`, and each stride-th after it. Every view, unless told otherwise.
+/// Without a plan: the view `first`, and each stride-th after it, if it is among `only`. Every view, unless
+/// told otherwise.
 struct ViewShare {
     std::size_t first = 0, stride = 1;
     std::optional<PlannedViews> planned{};
+    std::vector<std::string> only{};  ///< as reports call them; empty: all of those
 
     /// Does what there is to say of a scene without views belong to this share?
     bool has_the_first() const { return planned ? planned->wanted.front() == 0 : first == 0; }

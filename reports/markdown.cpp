@@ -54,7 +54,7 @@ std::string row(const ViewResult& v) {
     if (!was_judged(v)) return text + "| | | |\n";
     return text + grouped(std::uint64_t(v.width) * std::uint64_t(v.height)) + " | " +
            grouped(unwaived_defects(v)) + " | " + grouped(waived_count(v)) + " | " +
-           rounded(v.candidate_depth.max_error_over_bound) + " |\n";
+           error_over_bound_words(v) + " |\n";
 }
 
 std::string pixel(const ReportedFinding& told) {

@@ -140,8 +140,9 @@ bool is_one_word(const std::string& word) {
 void Merging::require_same_run(const Results& shard, const std::string& name) const {
     if (shard.selection.sha256.empty())
         refuse(name, "was written by an older zproof, or is no run; run that shard again");
-    if (shard.ending == Ending::interrupted)
-        refuse(name, "was interrupted; run shard " + in_words(shard.shard) + " again");
+    if (shard.ending == Ending::interrupted || shard.ending == Ending::stopped)
+        refuse(name, "was " + std::string(name_of(shard.ending)) + "; run shard " + in_words(shard.shard) +
+                         " again");
     if (first_.empty()) return;
     for (const Common& thing : common_things())
         if (const std::string here = thing.of(shard), first = thing.of(all_); here != first)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "frame/number_text.h"
+
 namespace zproof {
 
 namespace {
@@ -34,6 +36,8 @@ std::string_view name_of(Ending ending) {
             return "complete";
         case Ending::interrupted:
             return "interrupted";
+        case Ending::stopped:
+            return "stopped";
         case Ending::partial:
             return "partial";
     }
@@ -64,6 +68,10 @@ bool was_judged(const ViewResult& view) {
            view.outcome == Outcome::undecided;
 }
 
+bool failed(const ViewResult& view) {
+    return view.outcome != Outcome::proven && view.outcome != Outcome::not_judged;
+}
+
 bool stands_for_a_scene(const ViewResult& view) { return view.view.empty() && !was_judged(view); }
 
 std::uint64_t defect_count(const ClassCounts& counts) {
@@ -78,6 +86,12 @@ std::uint64_t defect_count(const ViewResult& view) { return defect_count(view.co
 std::uint64_t waived_count(const ViewResult& view) { return defect_count(view.waived); }
 
 std::uint64_t unwaived_defects(const ViewResult& view) { return defect_count(view) - waived_count(view); }
+
+std::string error_over_bound_words(const ViewResult& view) {
+    const bool no_depth_is_wrong = view.counts[std::size_t(PixelClass::wrong_depth)] == 0;
+    return defect_count(view) > 0 && no_depth_is_wrong ? "-"
+                                                       : rounded(view.candidate_depth.max_error_over_bound);
+}
 
 double seconds(const StageTimes& t) {
     return t.load + t.render + t.reference_build + t.reference + t.judge + t.oracles + t.write;

@@ -136,6 +136,9 @@ struct ViewResult {
 /// Has the judge seen it? Only then do counts and depth records say something.
 bool was_judged(const ViewResult& view);
 
+/// Is it neither proven nor left unjudged?
+bool failed(const ViewResult& view);
+
 /// Does it stand for a whole scene? One that could not be read or was not begun has views, nobody knows how
 /// many.
 bool stands_for_a_scene(const ViewResult& view);
@@ -146,6 +149,10 @@ std::uint64_t defect_count(const ViewResult& view);
 
 std::uint64_t waived_count(const ViewResult& view);      ///< of those: let pass by waivers
 std::uint64_t unwaived_defects(const ViewResult& view);  ///< the others: they fail the gate
+
+/// The largest error/bound of the candidate's depths; "-" where there are defects, and none is of a depth:
+/// the depth of a triangle that must not be seen may well be right.
+std::string error_over_bound_words(const ViewResult& view);
 
 /// All stages together, seconds.
 double seconds(const StageTimes& times);
@@ -170,10 +177,12 @@ struct Selection {
 enum class Ending {
     complete,
     interrupted,
+    stopped,  ///< as its rule says: after so many views that failed
     partial,  ///< shards that were put together, and some were missing
 };
 
-inline constexpr std::array all_endings{Ending::complete, Ending::interrupted, Ending::partial};
+inline constexpr std::array all_endings{Ending::complete, Ending::interrupted, Ending::stopped,
+                                        Ending::partial};
 
 /// The ending's name in results.json: "interrupted".
 std::string_view name_of(Ending ending);

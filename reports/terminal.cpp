@@ -1,6 +1,8 @@
 #include "reports/terminal.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "reports/diagnosis_words.h"
@@ -16,23 +18,31 @@ namespace {
 enum class Align { left, right };
 
 struct Column {
+    enum class Need {
+        always,      ///< what decides
+        where_wide,  ///< on a screen that all columns fit on
+    };
     std::string_view title;
     Align align;
+    Need need = Need::where_wide;
 };
 
 const std::vector<Column> columns = [] {
-    std::vector<Column> all{{"verdict", Align::left},
-                            {"scene/view", Align::left},
+    constexpr auto always = Column::Need::always;
+    std::vector<Column> all{{"verdict", Align::left, always},
+                            {"scene/view", Align::left, always},
                             {"triangles", Align::right},
                             {"pixels", Align::right}};
     for (int i = 0; i < pixel_class_count; ++i)
         if (has_column(PixelClass(i))) all.push_back({facts_of(PixelClass(i)).column, Align::right});
-    for (const std::string_view title : {"defects", "err/bound", "ref e/b", "seconds"})
-        all.push_back({title, Align::right});
+    all.push_back({"defects", Align::right, always});
+    all.push_back({"err/bound", Align::right, always});
+    all.push_back({"ref e/b", Align::right});
+    all.push_back({"seconds", Align::right, always});
     return all;
 }();
 using TextRow = std::vector<std::string>;  ///< a text for each column
-constexpr std::size_t longest_name = 40;
+constexpr std::size_t longest_name = 36, gap = 2;
 
 std::string word_of(Outcome outcome) { return std::string(in_words(outcome)); }
 
@@ -86,17 +96,18 @@ std::string defects_cell(const ViewResult& v) {
     return waived_count(v) == 0 ? failing : failing + " (" + grouped(waived_count(v)) + " waived)";
 }
 
+bool was_begun(const ViewResult& v) { return v.outcome != Outcome::not_judged || seconds(v.times) > 0; }
+
 TextRow row_of(const ViewResult& v) {
     TextRow row{verdict_text(v.outcome), shortened(title_of(v))};
-    const bool was_begun = v.outcome != Outcome::not_judged || seconds(v.times) > 0;
-    const std::string time = was_begun ? fixed(seconds(v.times), 2) : "";
+    const std::string time = was_begun(v) ? fixed(seconds(v.times), 2) : "";
     if (was_judged(v)) {
         row.push_back(grouped(v.triangles));
         row.push_back(grouped(std::uint64_t(v.width) * std::uint64_t(v.height)));
         for (int i = 0; i < pixel_class_count; ++i)
             if (has_column(PixelClass(i))) row.push_back(grouped(v.counts[std::size_t(i)]));
         row.push_back(defects_cell(v));
-        row.push_back(rounded(v.candidate_depth.max_error_over_bound));
+        row.push_back(error_over_bound_words(v));
         row.push_back(rounded(v.reference_depth.max_error_over_bound));
     }
     row.resize(columns.size() - 1);
@@ -114,24 +125,44 @@ Widths widths_of(const std::vector<TextRow>& rows) {
     return widths;
 }
 
-std::string heading(const Widths& widths) {
-    std::string line;
-    for (std::size_t i = 0; i < widths.size(); ++i)
-        line += (i == 0 ? "" : "  ") + padded(std::string(columns[i].title), widths[i], columns[i].align);
-    return line;
+std::size_t sum_of(const Widths& widths, const std::vector<std::size_t>& shown) {
+    std::size_t sum = 0;
+    for (const std::size_t i : shown) sum += widths[i] + (sum == 0 ? 0 : gap);
+    return sum;
 }
 
-std::string table(const Results& results, Colour colour) {
-    std::vector<TextRow> rows;
-    for (const ViewResult& v : results.views) rows.push_back(row_of(v));
-    const Widths widths = widths_of(rows);
-    std::string text = faint(heading(widths), colour) + "\n";
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-        text += painted(padded(rows[r][0], widths[0], Align::left), results.views[r].outcome, colour);
-        for (std::size_t i = 1; i < widths.size(); ++i)
-            text += "  " + padded(rows[r][i], widths[i], columns[i].align);
-        text += "\n";
+/// The places of the columns that are shown, from left to right.
+std::vector<std::size_t> shown_columns(const Widths& widths, const std::optional<std::size_t>& screen) {
+    std::vector<std::size_t> all, deciding;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        all.push_back(i);
+        if (columns[i].need == Column::Need::always) deciding.push_back(i);
     }
+    return !screen || sum_of(widths, all) <= *screen ? all : deciding;
+}
+
+std::string table(const Results& results, const SummaryStyle& style) {
+    std::vector<const ViewResult*> views;
+    std::vector<TextRow> rows;
+    for (const ViewResult& v : results.views)
+        if (was_begun(v)) views.push_back(&v), rows.push_back(row_of(v));
+    if (rows.empty()) return "";
+    const Widths widths = widths_of(rows);
+    const std::vector<std::size_t> shown = shown_columns(widths, style.width);
+    const auto line = [&](const auto& text_of) {
+        std::string text;
+        for (const std::size_t i : shown)
+            text += (i == 0 ? "" : std::string(gap, ' ')) + padded(text_of(i), widths[i], columns[i].align);
+        return text;
+    };
+    std::string text =
+        faint(line([](std::size_t i) { return std::string(columns[i].title); }), style.colour) + "\n";
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        std::string row = line([&](std::size_t i) { return rows[r][i]; });
+        const std::size_t verdict = padded(rows[r][0], widths[0], Align::left).size();
+        text += painted(row.substr(0, verdict), views[r]->outcome, style.colour) + row.substr(verdict) + "\n";
+    }
+    if (shown.size() < columns.size()) text += faint("--wide shows every column", style.colour) + "\n";
     return text;
 }
 
@@ -145,8 +176,41 @@ std::string tally(const ViewResult& v) {
     return text;
 }
 
-std::string story(const ViewResult& v, Colour colour) {
-    std::string text = painted(verdict_text(v.outcome), v.outcome, colour) + "  " + title_of(v);
+/// Views that nobody judged for one and the same reason.
+using Alike = std::vector<const ViewResult*>;
+
+/// Each view that is not proven, in reading order; those that are alike stand together.
+std::vector<Alike> failures(const Results& results) {
+    std::vector<Alike> all;
+    std::map<std::pair<Outcome, std::string_view>, std::size_t> places;
+    for (const ViewResult* v : failed_first(results)) {
+        if (v->outcome == Outcome::proven) continue;
+        const auto place = was_judged(*v) ? places.end() : places.find({v->outcome, v->message});
+        if (place != places.end()) {
+            all[place->second].push_back(v);
+            continue;
+        }
+        places.insert({{v->outcome, v->message}, all.size()});
+        all.push_back({v});
+    }
+    return all;
+}
+
+/// "room/door", or "74 views: room/door, room/floor, town/aerial, ...".
+std::string titles_of(const Alike& group) {
+    constexpr std::size_t most_named = 3;
+    if (group.size() == 1) return title_of(*group.front());
+    const auto whole_scenes =
+        std::size_t(std::ranges::count_if(group, [](const ViewResult* v) { return stands_for_a_scene(*v); }));
+    std::string text = in_words(Extent{.views = group.size() - whole_scenes, .whole_scenes = whole_scenes});
+    for (std::size_t i = 0; i < std::min(group.size(), most_named); ++i)
+        text += (i == 0 ? ": " : ", ") + title_of(*group[i]);
+    return text + (group.size() > most_named ? ", ..." : "");
+}
+
+std::string story(const Alike& group, Colour colour) {
+    const ViewResult& v = *group.front();
+    std::string text = painted(verdict_text(v.outcome), v.outcome, colour) + "  " + titles_of(group);
     if (!v.reference.empty()) text += "  against " + one_line(v.reference);
     text += "\n";
     if (!tally(v).empty()) text += "    " + tally(v) + "\n";
@@ -208,12 +272,11 @@ std::string outcomes(const Results& results, Colour colour) {
 
 }  // namespace
 
-std::string summary_table(const Results& results, Colour colour) {
-    std::string text = results.views.empty() ? "" : table(results, colour);
-    for (const ViewResult* v : failed_first(results))
-        if (v->outcome != Outcome::proven) text += "\n" + story(*v, colour);
-    return text + "\n" + note_lines(results) + oracle_lines(results) + outcomes(results, colour) + "\n" +
-           totals(results) + "\n";
+std::string summary_table(const Results& results, const SummaryStyle& style) {
+    std::string text = style.rows == SummaryStyle::Rows::each_view ? table(results, style) : "";
+    for (const Alike& group : failures(results)) text += "\n" + story(group, style.colour);
+    return text + "\n" + note_lines(results) + oracle_lines(results) + outcomes(results, style.colour) + "\n" + totals(results) +
+           "\n";
 }
 
 }  // namespace zproof

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "image_io/image_io.h"
+#include "image_io/module.h"
 #include "scenes/limits.h"
 
 namespace zproof {
@@ -117,6 +118,7 @@ std::string png_chunk_fault(Span bytes) {
 }  // namespace
 
 Image decode_image(Span bytes) {
+    image_io::module();  // what it lacks is no fault of the image
     try {
         if (const std::string fault = is_png(bytes) ? png_chunk_fault(bytes) : ""; !fault.empty())
             throw std::runtime_error(fault);

@@ -8,7 +8,7 @@
 
 #include "frame/input_file.h"
 #include "frame/joined.h"
-#include "frame/nearest_word.h"
+#include "frame/did_you_mean.h"
 #include "scenes/cryptomatte.h"
 #include "scenes/json_text.h"
 #include "scenes/refusal.h"

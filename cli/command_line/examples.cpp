@@ -77,6 +77,7 @@ constexpr auto all = std::to_array<Example>({
     {"doctor", "zproof doctor", "every setting with its value and where it comes from"},
     {"doctor", "zproof doctor --profile ci", "as another profile has them"},
     {"list", "zproof list", "the built-in suite, each scene with its reason"},
+    {"list", "zproof list --names", "for scripts: the names alone"},
     {"scenes", "zproof scenes generate", "the whole suite, into zproof-scenes/"},
     {"scenes", "zproof scenes generate room oblique -o scenes", "two scenes of it"},
     {"scenes generate", "zproof scenes generate", "the whole suite, into zproof-scenes/"},

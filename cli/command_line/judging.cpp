@@ -108,6 +108,21 @@ void add_shard(CLI::App& app, CommandWords& words) {
         ->excludes(empty);
 }
 
+/// When the run ends before all is judged.
+void add_early_end(CLI::App& app, EarlyEndRule& rule) {
+    auto* many = app.add_option("--max-defects", rule.max_failed_views,
+                                "end the run after so many views that failed, however many pixels each has");
+    many->check(CLI::Range(1, 1'000'000))->group(machine_options);
+    app.add_flag_callback(
+           "-x", [&rule] { rule.max_failed_views = 1; }, "the same as --max-defects 1")
+        ->group(machine_options)
+        ->excludes(many);
+    app.add_flag_callback(
+           "--keep-going", [&rule] { rule.persistence = Persistence::keeps_going; },
+           "go on where the first three views were refused in the same words")
+        ->group(machine_options);
+}
+
 }  // namespace
 
 Branch add_run(CLI::App& parent, CommandWords& words) {
@@ -116,6 +131,10 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
     add_report(app, words.run.report);
     add_shard(app, words);
     add_reference_cache(app, words.run.reference_cache);
+    add_early_end(app, words.run.early_end);
+    app.add_option("--only-failed", words.run.only_failed,
+                   "results.json of an earlier run, or its folder: judge only the views that failed there")
+        ->excludes(app.get_option("--plan"));
     add_settings_choice(app, words.settings);
     return {&app, [&words, &app] {
                 RunArguments& run = words.run;
@@ -198,6 +217,7 @@ Branch add_explain(CLI::App& parent, CommandWords& words) {
     add_stored_frame_options(app, words.renderers);
     add_render_settings(app, explain.settings);
     add_samples(app, explain.settings);
+    add_settings_choice(app, words.settings);
     return {&app, [&words] {
                 words.explain.renderers = chosen_renderers(words.renderers);
                 return command_of(words.explain, "cannot judge");

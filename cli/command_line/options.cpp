@@ -9,6 +9,16 @@ namespace {
 
 const std::map<std::string, Evidence> evidences{{"all", Evidence::all}, {"defects", Evidence::defects}};
 
+/// Of "640x480" the height is that option's, as if it had been typed, and the width is left. CLI11 reads the
+/// options in the order in which they were added: the height after the width.
+std::string hand_on_height(std::string& width, CLI::Option& height) {
+    const std::size_t times = width.find('x');
+    if (times == std::string::npos) return "";
+    height.add_result(width.substr(times + 1));
+    width.erase(times);
+    return "";
+}
+
 }  // namespace
 
 std::array<CLI::Option*, 2> add_random_choice(CLI::App& app, RandomChoice& random) {
@@ -28,12 +38,13 @@ void add_models(CLI::App& app, std::filesystem::path& models) {
 }
 
 void add_render_settings(CLI::App& app, RenderSettings& settings) {
-    app.add_option("--width", settings.resolution.width, "pixels; view files state their own")
-        ->check(CLI::Range(1, 32768))
-        ->capture_default_str();
-    app.add_option("--height", settings.resolution.height, "pixels; view files state their own")
-        ->check(CLI::Range(1, 32768))
-        ->capture_default_str();
+    auto* width = app.add_option("--width", settings.resolution.width,
+                                 "pixels, or both sides as 640x480; view files state their own");
+    auto* height =
+        app.add_option("--height", settings.resolution.height, "pixels; view files state their own");
+    width->transform(
+        CLI::Validator([height](std::string& word) { return hand_on_height(word, *height); }, ""));
+    for (CLI::Option* side : {width, height}) side->check(CLI::Range(1, 32768))->capture_default_str();
     add_isa(app);
 }
 
@@ -53,6 +64,10 @@ void add_samples(CLI::App& app, RenderSettings& settings) {
 void add_report(CLI::App& app, ReportArguments& report) {
     add_common(app, report.common, "folder for the reports");
     add_progress(app, report.common);
+    app.add_flag_callback(
+           "--wide", [&report] { report.columns = ReportArguments::Columns::all; },
+           "the table of views with all its columns, however wide the terminal is")
+        ->group(machine_options);
     app.add_flag_callback(
            "--times", [&report] { report.common.detail = Detail::times; }, "also print where the time went")
         ->group(machine_options)

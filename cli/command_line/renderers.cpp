@@ -61,9 +61,9 @@ Branch add_render(CLI::App& parent, CommandWords& words) {
 Branch add_measure(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand(
         "measure", "what a renderer really does: sub-pixel grid, fill side, depth steps, watertightness");
-    app.add_option("RENDERER", words.renderers.renderer,
-                   "a name, or 'CMD {scene} {camera} {width} {height} {out}'")
-        ->required();
+    auto* renderer = app.add_option("RENDERER", words.renderers.renderer,
+                                    "a name, or 'CMD {scene} {camera} {width} {height} {out}'");
+    auto* named = app.add_option("--renderer", words.renderers.renderer, "the same")->excludes(renderer);
     add_common(app, words.measure.common);
     add_precision_options(app, words.renderers);
     add_keep_input(app, words.renderers);
@@ -74,7 +74,9 @@ Branch add_measure(CLI::App& parent, CommandWords& words) {
         "--json", [&words] { words.measure.format = MeasurementFormat::json; },
         "print JSON instead of a table");
     app.footer(measure_remark);
-    return {&app, [&words] {
+    return {&app, [&words, renderer, named] {
+                if (renderer->count() + named->count() == 0)
+                    throw UsageError{"RENDERER is required (see: zproof measure --help)"};
                 words.measure.renderer = candidate_of(words.renderers);
                 return command_of(words.measure, "cannot measure");
             }};
@@ -84,8 +86,9 @@ Branch add_fit(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand(
         "fit", "the least promise that explains every pixel, whatever the renderer declares");
     FitArguments& fit = words.fit;
-    app.add_option("SCENE", fit.scenes,
-                   std::string{"'suite', a folder, or a "} + scene_words + "; none: the whole suite");
+    app.add_option(
+        "SCENE", fit.scenes,
+        std::string{"'suite', a folder, a renderer, or a "} + scene_words + "; none: the whole suite");
     app.add_option("--view", fit.view, "name of the view; default: all")->type_name("VIEW");
     app.add_option(
            "--renderer", words.renderers.renderer,
@@ -101,6 +104,7 @@ Branch add_fit(CLI::App& parent, CommandWords& words) {
     add_render_settings(app, fit.settings);
     app.footer(fit_remark);
     return {&app, [&words] {
+                take_renderer(words.fit.scenes, words.renderers);
                 words.fit.renderer = candidate_of(words.renderers);
                 return command_of(words.fit, "cannot fit");
             }};
@@ -110,13 +114,15 @@ Branch add_selfcheck(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand(
         "selfcheck", "is a renderer at one with itself? the same pictures told in other ways, no reference");
     SelfcheckArguments& selfcheck = words.selfcheck;
-    app.add_option("SCENE", selfcheck.scenes,
-                   std::string{"'suite', a folder, or a "} + scene_words + "; none: the whole suite");
+    app.add_option(
+        "SCENE", selfcheck.scenes,
+        std::string{"'suite', a folder, a renderer, or a "} + scene_words + "; none: the whole suite");
     add_renderer_options(app, words.renderers);
     add_common(app, selfcheck.common);
     add_render_settings(app, selfcheck.settings);
     app.footer(selfcheck_remark);
     return {&app, [&words] {
+                take_renderer(words.selfcheck.scenes, words.renderers);
                 words.selfcheck.renderer = candidate_of(words.renderers);
                 return command_of(words.selfcheck, "cannot check the renderer");
             }};
@@ -161,6 +167,9 @@ Branch add_init(CLI::App& parent, CommandWords& words) {
 Branch add_list(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("list", "the built-in suite: each scene with its reason");
     add_common(app, words.list.common);
+    app.add_flag_callback(
+        "--names", [&words] { words.list.told = ListArguments::Told::names; },
+        "the names alone, one on a line");
     return {&app, [&words] { return command_of(words.list, "cannot list the suite"); }};
 }
 

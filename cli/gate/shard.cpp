@@ -75,7 +75,8 @@ std::string word_of(const Shard& shard) {
 std::vector<SceneSource> share_of(std::vector<SceneSource> sources, Shard shard) {
     const auto count = std::size_t(shard.count), number = std::size_t(shard.number);
     for (SceneSource& source : sources)
-        source.share = {.first = (number - 1 + count - hash_of(source) % count) % count, .stride = count};
+        source.share.first = (number - 1 + count - hash_of(source) % count) % count,
+        source.share.stride = count;
     return sources;
 }
 

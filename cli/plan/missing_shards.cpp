@@ -24,7 +24,8 @@ std::string MissingShards::fault_of(const Results& results) const {
     if (shard.plan != planned_.plan.sha256) return which + " in '" + results.command + "' is of another plan";
     if (shard.count != planned_.plan.shards || shard.number > shard.count)
         return which + " is not of the plan";
-    if (results.ending == Ending::interrupted) return which + " was interrupted";
+    if (results.ending == Ending::interrupted || results.ending == Ending::stopped)
+        return which + " was " + std::string(name_of(results.ending));
     return "";
 }
 

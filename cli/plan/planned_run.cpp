@@ -73,7 +73,8 @@ ExitCode judge(const PlannedRun& run, const Shard& shard, const RunArguments& ar
                              .selection = run.selection,
                              .shard = shard,
                              .shard_status = arguments.shard_status,
-                             .reference_cache = arguments.reference_cache});
+                             .reference_cache = arguments.reference_cache,
+                             .early_end = arguments.early_end});
 }
 
 /// In a process of its own, since a run leaves threads behind, and the next one must begin without

@@ -52,6 +52,7 @@ Renderer open_with_cache(const RendererChoice& choice, const Scene& scene, const
             .render = [embree](const View& view) { return embree->frame(view); },
             .paint = {},
             .begin_sample = {},
+            .sample_price_s = {},
             .channels = {},
             .labels = {}};
 }

@@ -15,10 +15,7 @@ namespace {
 
 std::string known_names() { return joined(renderer_names()); }
 
-/// The option that names it; empty for the default.
-std::string option_of(const BuiltIn& built_in) {
-    return built_in.name == renderer_names().front() ? "" : " --renderer " + built_in.name;
-}
+std::string option_of(const BuiltIn& built_in) { return " --renderer " + built_in.name; }
 
 std::string option_of(const Program& program) { return " --renderer " + shell_quoted(program.command); }
 

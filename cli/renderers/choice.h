@@ -55,7 +55,8 @@ struct OracleChoice {
     };
     enum class Pixels {
         all,
-        sample,  ///< as many as a known price buys, where the renderer has samples
+        sample,           ///< as many as a known price buys, where the renderer has samples
+        sample_if_cheap,  ///< the same, where that takes less than all else that is done with the scene
     };
     RendererChoice renderer;
     Pixels pixels = Pixels::all;
@@ -82,8 +83,8 @@ bool are_the_usual(const ChosenRenderers& renderers);
 /// The renderer in words: "povray", the command, the file.
 std::string name_of(const RendererChoice& choice);
 
-/// The options that mean this choice, for a shell, each with a blank before it: " --renderer povray". Empty
-/// for the default, zproof's own rasterizer.
+/// The options that mean this choice, for a shell, each with a blank before it: " --renderer povray". The
+/// default is named as well, since a settings file may name another.
 std::string options_for(const RendererChoice& choice);
 
 /// With the sample's index in the place of {sample}, in the names of a stored frame's file and channels.

@@ -1,7 +1,11 @@
 #include "cli/renderers/registry.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cstring>
 #include <memory>
 #include <utility>
 
@@ -17,6 +21,7 @@
 #include "oracle/oracle_error.h"
 #include "oracle/povray.h"
 #include "oracle/povray/budget.h"
+#include "oracle/subprocess.h"
 #include "program/samples.h"
 #include "program/usage_error.h"
 #include "program/version.h"
@@ -31,6 +36,7 @@ struct Answers {
     std::function<Frame(const View&)> render;
     std::function<Picture(const View&, const Light&)> paint{};  ///< empty: has no colours of its own
     std::function<BegunSample(const View&, std::uint64_t seed)> begin_sample{};  ///< as Renderer's
+    std::function<double(const View&, double most_s)> sample_price_s{};          ///< as Renderer's
     std::function<std::vector<std::string>(const View&)> channels{};             ///< as Renderer's
 };
 
@@ -93,8 +99,13 @@ Answers povray_on(const Scene& scene, std::chrono::seconds time_limit) {
     return {[povray](const View& view) { return povray->render(view); },
             [povray](const View& view, const Light& light) { return povray->picture(view, light); },
             [povray, &scene](const View& view, std::uint64_t seed) {
-                const auto [pixels, fewer_because] = oracle::affordable_pixels(scene, view, seed);
+                const auto [pixels, fewer_because, seconds] = oracle::affordable_pixels(scene, view, seed);
                 return BegunSample{pixels, fewer_because, povray->begin(view_of(pixels, view), 1)};
+            },
+            [&scene](const View& view, double most_s) {
+                const double start_s = oracle::povray_start_s;
+                return start_s > most_s ? start_s
+                                        : start_s + oracle::affordable_pixels(scene, view, 0).seconds;
             }};
 }
 
@@ -171,6 +182,21 @@ auto typed(const Read& read) {
     }
 }
 
+/// What a command line begins with; empty where that is more than a name, so that only a shell knows.
+std::string first_name_in(const std::string& command) {
+    const std::string word = command.substr(0, command.find(' '));
+    const auto is_plain = [](char c) {
+        return std::isalnum(std::uint8_t(c)) != 0 || std::strchr("./_+-", c);
+    };
+    return std::ranges::all_of(word, is_plain) ? word : "";
+}
+
+/// Does a shell find it: a file, a program on PATH, or a word of its own such as `cd`?
+bool can_be_started(const std::string& name) {
+    if (name.find('/') != std::string::npos) return access(name.c_str(), X_OK) == 0;
+    return oracle::run({.arguments = oracle::shell_line("command -v " + name)}).succeeded();
+}
+
 /// Those that zproof knows by name give triangles.
 void give_labels(Answers& answers, const std::shared_ptr<const TriangleLabels>& labels) {
     answers.render = [render = answers.render, labels](const View& view) {
@@ -189,6 +215,14 @@ std::vector<std::string> renderer_names() {
 std::string absence_of(const RendererChoice& choice) {
     const auto* built_in = std::get_if<BuiltIn>(&choice.who);
     return built_in == nullptr ? "" : known_as(*built_in).absence();
+}
+
+void require_program(const RendererChoice& choice) {
+    const auto* program = std::get_if<Program>(&choice.who);
+    const std::string name = program == nullptr ? "" : first_name_in(program->command);
+    if (name.empty() || can_be_started(name)) return;
+    throw UsageError{"renderer '" + program->command + "': expected a program that can be started, found '" +
+                     name + "', which is not there or not executable"};
 }
 
 Precision declared_precision(const RendererChoice& choice) {
@@ -213,7 +247,8 @@ Convention declared_convention(const RendererChoice& choice) {
 
 RendererFacts facts_of(const RendererChoice& choice) {
     const auto* built_in = std::get_if<BuiltIn>(&choice.who);
-    declared_convention(choice);  // refused before anything is rendered
+    require_program(choice);  // refused before anything is rendered, and so is a convention
+    declared_convention(choice);
     return {.name = name_of(choice),
             .version = built_in == nullptr ? "" : known_as(*built_in).version(),
             .precision = precision_to_json(declared_precision(choice)),
@@ -236,11 +271,13 @@ Renderer open(const RendererChoice& choice, const Scene& scene) {
             .render = std::move(answers.render),
             .paint = std::move(answers.paint),
             .begin_sample = std::move(answers.begin_sample),
+            .sample_price_s = std::move(answers.sample_price_s),
             .channels = std::move(answers.channels),
             .labels = std::move(labels)};
 }
 
 measure::Renderer measured_renderer(const RendererChoice& choice) {
+    require_program(choice);
     return {
         .name = name_of(choice),
         .render = [choice](const Scene& scene, const View& view) { return open(choice, scene).render(view); },

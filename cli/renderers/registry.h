@@ -39,6 +39,9 @@ struct Renderer {
     /// Begins on as much of a view as a known price buys, drawn by the seed. Empty: it is asked about all
     /// pixels.
     std::function<BegunSample(const View&, std::uint64_t seed)> begin_sample;
+    /// What begin_sample would take, seconds: from counts, so the same on every machine. Of one that takes
+    /// more than `most_s`, any number above that.
+    std::function<double(const View&, double most_s)> sample_price_s;
     /// The names of the channels of the file that it gave for this view, once it has; empty: it gives no
     /// file.
     std::function<std::vector<std::string>(const View&)> channels;
@@ -51,6 +54,9 @@ std::vector<std::string> renderer_names();
 /// Why a renderer cannot be asked on this machine; empty: it can.
 std::string absence_of(const RendererChoice& choice);
 
+/// Refuses a command line whose program is not there. Throws UsageError.
+void require_program(const RendererChoice& choice);
+
 /// What it is judged by: the word after --precision, else its own promise. Throws FrameError for a word that
 /// cannot be understood.
 Precision declared_precision(const RendererChoice& choice);
@@ -62,7 +68,7 @@ Projections declared_projections(const RendererChoice& choice);
 Convention declared_convention(const RendererChoice& choice);
 
 /// Name, version in its own words, declared precision. Only for one that is not absent. Throws FrameError as
-/// declared_precision and declared_convention do.
+/// declared_precision and declared_convention do, and UsageError as require_program does.
 RendererFacts facts_of(const RendererChoice& choice);
 
 /// Do its frames have ids?
@@ -73,7 +79,7 @@ IdChannel id_channel_of(const RendererChoice& choice);
 /// the labels are no scene's.
 Renderer open(const RendererChoice& choice, const Scene& scene);
 
-/// Throws FrameError where what it declares cannot be understood; its pictures throw what open() throws.
+/// Throws as facts_of() does; its pictures throw what open() throws.
 measure::Renderer measured_renderer(const RendererChoice& choice);
 
 }  // namespace zproof

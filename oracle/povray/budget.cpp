@@ -74,6 +74,7 @@ AffordablePixels affordable_pixels(const Scene& scene, const View& view, std::ui
         affordable.lattice = lattice(stride, view, seed);
         const View some = view_of(affordable.lattice, view);
         const Work work = work_for(scene, some);
+        affordable.seconds = 1e-6 * (work.of_reading() + work.of_tracing());
         if (work.is_affordable()) return affordable;
         affordable.fewer_because = in_words(work, some);
         if (some.width == 1 && some.height == 1)

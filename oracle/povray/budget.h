@@ -13,7 +13,11 @@ namespace zproof::oracle {
 struct AffordablePixels {
     PixelLattice lattice;
     std::string fewer_because;  ///< why they are fewer than in other views; empty: they are not
+    double seconds = 0;         ///< of one core, about, for reading and tracing
 };
+
+/// What POV-Ray takes to start and to end, which it mostly sleeps through.
+inline constexpr double povray_start_s = 0.7;
 
 /// About 57,600 pixels at most (320 x 180), and fewer where the view's triangles make POV-Ray slow: the
 /// densest of some lattices whose estimated work is below two seconds of one core. The estimate counts the

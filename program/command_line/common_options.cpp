@@ -11,6 +11,7 @@ const std::map<std::string, ColourMode> colour_modes{
 const std::map<std::string, ProgressStyle> progress_styles{{"auto", ProgressStyle::automatic},
                                                            {"bar", ProgressStyle::bar},
                                                            {"lines", ProgressStyle::lines},
+                                                           {"never", ProgressStyle::none},
                                                            {"none", ProgressStyle::none}};
 
 void add_out(CLI::App& app, CommonArguments& common, const std::string& made) {

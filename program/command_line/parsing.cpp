@@ -6,7 +6,8 @@
 #include <sstream>
 #include <vector>
 
-#include "program/nearest_word.h"
+#include "frame/did_you_mean.h"
+#include "frame/joined.h"
 #include "program/settings/apply.h"
 #include "program/usage_error.h"
 
@@ -29,12 +30,21 @@ std::vector<std::string> known_to(const CLI::App& app) {
     return words;
 }
 
-/// "; did you mean 'run'?" where the first unexpected word of the command line that `root` just failed to
-/// parse is nearly a command or an option of the command that was typed, else "".
-std::string misspelling_in(CLI::App& root) {
-    const std::vector<std::string> unknown = root.remaining(true);
-    if (unknown.empty()) return "";
-    return did_you_mean(unknown.front().substr(0, unknown.front().find('=')), known_to(leaf_of(root)));
+/// "; --width is an option of 'zproof run'": of a command beside the one that was typed; else "".
+std::string home_of(const std::string& option, const CLI::App& root) {
+    for (const CLI::App* command : root.get_subcommands(std::function<bool(const CLI::App*)>{}))
+        if (option.starts_with("-") && command->get_option_no_throw(option) != nullptr)
+            return "; " + option + " is an option of '" + typed_name_of(*command) + "'";
+    return "";
+}
+
+/// What is said of the words that nobody expected, in the order in which they were typed.
+std::string in_words(const std::vector<std::string>& unknown, CLI::App& root) {
+    const std::string first = unknown.front().substr(0, unknown.front().find('='));
+    const std::string home = home_of(first, root);
+    return std::string(unknown.size() == 1 ? "The following argument was" : "The following arguments were") +
+           " not expected: " + joined(unknown, " ") +
+           (home.empty() ? did_you_mean(first, known_to(leaf_of(root))) : home);
 }
 
 }  // namespace
@@ -50,9 +60,10 @@ std::optional<Command> answer_to(CLI::App& root, int argc, const char* const* ar
         root.parse(argc, argv);
         return std::nullopt;
     } catch (const CLI::ParseError& e) {
+        const std::vector<std::string> unknown = root.remaining(true);
         if (e.get_exit_code() != 0)
-            throw UsageError{e.what() + misspelling_in(root) + " (see: " + typed_name_of(leaf_of(root)) +
-                             " --help)"};
+            throw UsageError{(unknown.empty() ? std::string{e.what()} : in_words(unknown, root)) +
+                             " (see: " + typed_name_of(leaf_of(root)) + " --help)"};
         std::ostringstream text;
         root.exit(e, text, text);
         return command_of(Answered{.common = {}, .text = text.str()}, "cannot answer");

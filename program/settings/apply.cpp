@@ -19,6 +19,12 @@ bool has_plan(const CLI::App& app) {
     return has(app, "--shard") && plan != nullptr && plan->count() > 0;
 }
 
+/// It is about one frame and was told whose, as by the commands in reports: those mean the same everywhere.
+bool is_told_whose_frame(const CLI::App& app) {
+    if (has(app, "--report") || !has(app, "--renderer") || !has(app, "--candidate")) return false;
+    return app.count("--renderer") + app.count("--candidate") > 0;
+}
+
 /// A command that can be told a settings file takes all settings; one that renders, those of any program. A
 /// word that has to be typed comes from nowhere else, and one folder for reports is that of commands that
 /// write them.
@@ -27,7 +33,8 @@ bool concerns(const CLI::App& app, const std::string& setting) {
     if (option == nullptr || option->get_required()) return false;
     const auto for_all = {"threads", "isa", "color", "progress"};
     if (std::ranges::find(for_all, setting) != for_all.end() && has(app, "--isa")) return true;
-    if (!has(app, "--config") || (has_plan(app) && !is_of_the_machine(*option))) return false;
+    if (!has(app, "--config") || is_told_whose_frame(app)) return false;
+    if (has_plan(app) && !is_of_the_machine(*option)) return false;
     return setting != "out" || has(app, "--report");
 }
 

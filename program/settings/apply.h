@@ -6,7 +6,7 @@
 namespace CLI {
 class App;
 class Option;
-}
+}  // namespace CLI
 
 namespace zproof {
 
@@ -16,8 +16,9 @@ namespace zproof {
 void give(const SettingValues& assignments, CLI::App& app);
 
 /// Those that this command listens to. What bears on the judgement is for the commands that have --config;
-/// threads, isa, color and progress are for these and for every command that renders. So the commands that a
-/// report names (zproof explain ...) mean the same on every machine.
+/// threads, isa, color and progress are for these and for every command that renders. A command about one
+/// frame that was told whose hears nothing else: so those that a report names (zproof explain ...) mean the
+/// same on every machine.
 SettingValues that_concern(const CLI::App& app, const SettingValues& assignments);
 
 /// Is there a setting at all that the command listens to?

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "frame/joined.h"
-#include "program/nearest_word.h"
+#include "frame/did_you_mean.h"
 #include "program/usage_error.h"
 
 namespace zproof {
@@ -46,8 +45,7 @@ Day TomlReader::day(const std::string& key) const {
 void TomlReader::allow_only(std::span<const std::string> keys) const {
     for (const auto& [key, value] : entries())
         if (std::ranges::count(keys, key) == 0) {
-            refuse(value,
-                   "unknown key '" + key + "'" + did_you_mean(key, keys) + " (known: " + joined(keys) + ")");
+            refuse(value, "unknown key '" + key + "'" + did_you_mean_or_all(key, keys));
         }
 }
 

@@ -31,10 +31,14 @@ void set_intrinsics(const LocatedValue& place, CalibratedCamera& camera) {
     camera.cy = y.z;
 }
 
-PixelCentre centre_at(const LocatedValue& place) {
+PixelCentre centre_of(const LocatedValue& view) {
+    constexpr const char* expected =
+        "expected \"integer\" (OpenCV: the first pixel's centre is (0, 0)) or \"half\"";
+    if (!view.has("pixel_centre")) view.fail(std::string("\"pixel_centre\" is missing; ") + expected);
+    const LocatedValue place = view.at("pixel_centre");
     if (place.value() == "integer") return PixelCentre::integer;
     if (place.value() == "half") return PixelCentre::half;
-    place.fail("expected \"integer\" (OpenCV: the first pixel's centre is (0, 0)) or \"half\"");
+    place.fail(expected);
 }
 
 void refuse_distortion(const LocatedValue& view) {
@@ -55,7 +59,7 @@ ImportedView view_at(const LocatedValue& place, const DepthRange& range) {
     camera.name = view_name_of_image(place.at("name").text());
     camera.width = side_at(place.at("width"));
     camera.height = side_at(place.at("height"));
-    camera.pixel_centre = centre_at(place.at("pixel_centre"));
+    camera.pixel_centre = centre_of(place);
     set_intrinsics(place.at("K"), camera);
     const auto [right, down, forward] = rows_at(place.at("R"));
     const glm::dvec3 t = place.at("t").vector();

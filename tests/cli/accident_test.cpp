@@ -55,6 +55,7 @@ TEST_F(Accidents, AreToldWithTheirSignalTheirStageAndTheCommandThatRepeatsThem) 
     const std::string message = results().at("views").at(1).at("message");
     EXPECT_EQ(message,
               "killed by signal 11 (Segmentation fault) at 'build'; to see it again: zproof run b.gltf "
+              "--renderer zproof "
               "--width 32 --height 24 --oracle none");
     for (const char* report : {"zproof-out/report.html", "zproof-out/summary.md", "zproof-out/junit.xml"})
         EXPECT_THAT(folder.read(report), HasSubstr("Segmentation fault")) << report;

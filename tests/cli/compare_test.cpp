@@ -195,9 +195,20 @@ TEST_F(StoredFrames, AnOracleThatIsNotInstalledIsNamedAndMayBeRequired) {
     EXPECT_EQ(run(folder, required).exit_code, 0);
 }
 
-TEST_F(StoredFrames, PovRayIsAskedAboutASampleUnlessItIsNamed) {
+TEST_F(StoredFrames, PovRayIsNotAskedUnnamedWhereItTakesLongerThanTheRest) {
+    const Ran ran = run(folder, {"run", "two.gltf", "--width", "960", "--height", "540"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+    EXPECT_NE(ran.out.find("povray: not compared in 1 view: not asked, since it takes longer than all the "
+                           "rest; --oracle povray:sample asks it\n"),
+              std::string::npos)
+        << ran.out;
+}
+
+TEST_F(StoredFrames, PovRayIsAskedAboutASampleOrAboutEveryPixel) {
     const Words run_words{"run", "two.gltf", "--width", "960", "--height", "540", "--evidence", "all"};
-    const Ran ran = run(folder, run_words);
+    Words sample = run_words;
+    sample.insert(sample.end(), {"--oracle", "povray:sample"});
+    const Ran ran = run(folder, sample);
     EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
     const json view = only_view(), oracle = view.at("oracles").at(0);
     EXPECT_EQ(oracle.at("absent"), "");
@@ -225,7 +236,7 @@ TEST_F(StoredFrames, DefectsOfASampleAreToldInPixelsOfTheImage) {
         "[ -f scene.pov ] && sed -i \"$(grep -n '^triangle' scene.pov | tail -1 | cut -d: -f1)d\" scene.pov\n"
         "exec /usr/bin/povray \"$@\"\n");
     std::filesystem::permissions(folder.path() / "bin/povray", std::filesystem::perms::owner_all);
-    const Ran ran = run(folder, {"run", "two.gltf", "--width", "960", "--height", "540"},
+    const Ran ran = run(folder, {"run", "two.gltf", "--width", "960x540", "--oracle", "povray:sample"},
                         {"PATH=" + (folder.path() / "bin").string() + ":/usr/bin:/bin"});
     EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;  // a reference's defects are its own
     const json oracle = only_view().at("oracles").at(0), first = oracle.at("sample").at("first");

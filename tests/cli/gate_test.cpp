@@ -184,6 +184,13 @@ TEST_F(Gate, SaysWhatBecameWorse) {
     EXPECT_EQ(changes.at("views")[0].at("new_defects").size(),
               results_in(folder, "bad").at("views")[0].at("defects").get<std::size_t>());
     EXPECT_EQ(run(folder, {"diff-results", "good", "absent"}).exit_code, 3);
+    const Words larger{"run",      "room", "--width",  "98",   "--height", "64",
+                       "--oracle", "none", "--config", "none", "-o",       "larger"};
+    ASSERT_EQ(run(folder, larger).exit_code, 0);
+    const Ran refused = run(folder, {"diff-results", "good", "larger"});
+    EXPECT_EQ(refused.exit_code, 3);
+    EXPECT_NE(refused.err.find("was judged at 96 x 64 and then at 98 x 64"), std::string::npos)
+        << refused.err;
 }
 
 TEST_F(Gate, HasADoctorWhoKnowsWhereEverySettingComesFrom) {

@@ -84,9 +84,6 @@ TEST(ExpectedWork, IsWhatTheLastRunTook) {
     const auto work = [](double w) { return Field(&SceneWork::work, w); };
     EXPECT_THAT(expected_work({"b", "a", "new"}, earlier), ElementsAre(work(8), work(4), work(6)));
     EXPECT_THAT(expected_work({"b", "a"}, {}), ElementsAre(work(1), work(1)));
-    const auto known = [](SceneWork::Known k) { return Field(&SceneWork::known, k); };
-    EXPECT_THAT(expected_work({"b", "new"}, earlier),
-                ElementsAre(known(SceneWork::Known::measured), known(SceneWork::Known::guessed)));
 }
 
 /// The bar of a scene moves with its views.
@@ -117,7 +114,7 @@ TEST(RunProgress, TellsNoTimeOfWhatWasNotBegun) {
     left.message = "interrupted before it was judged";
     progress.tell(left);
     EXPECT_EQ(out.str(),
-              "[1/1] proven      a  2.0 s\n"
+              "[1/1] proven      a: err/bound 0  2.0 s\n"
               "[1/1] not_judged  a / main: interrupted before it was judged\n");
 }
 

@@ -49,6 +49,16 @@ TEST(SceneSelection, CountsWhatItPassesOverInFolders) {
               "2,006 files passed over: 2,000 .g, 1 .a, 1 .b, 1 .c, 1 .d, 1 .e, ...");
 }
 
+TEST(SceneSelection, LooksIntoNothingThatARunWrote) {
+    const Folder folder;
+    for (const char* file : {"room.glb", ".zproof-out", "out/.zproof-out", "out/results.json",
+                             "out/shrunk/a.view.json", "generated/.zproof-out", "generated/b.view.json"})
+        folder.write(file, "");
+    const SceneSelection selection = select_with_counts({folder.path()});
+    EXPECT_EQ(names_of(selection.sources), (Words{"b", "room"}));
+    EXPECT_EQ(in_words(selection.passed_over), "");
+}
+
 TEST(SceneSelection, TellsWhatARunPassedOverOnceUnlessQuiet) {
     const Folder folder;
     folder.write("one.gltf", test::one_triangle());
@@ -95,7 +105,7 @@ TEST(SceneSelection, NamesWhatCannotBeLookedAtBesideTheRest) {
     const test::Ran ran =
         test::run(folder, {"run", ".", "--oracle", "none", "--width", "64", "--height", "48"});
     EXPECT_EQ(ran.exit_code, 3);
-    EXPECT_NE(ran.out.find("good"), std::string::npos) << ran.out << ran.err;
+    EXPECT_NE(ran.err.find("good"), std::string::npos) << ran.out << ran.err;
     EXPECT_NE(ran.out.find("a.gltf: file: is a loop of links"), std::string::npos) << ran.out << ran.err;
 }
 

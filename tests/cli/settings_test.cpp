@@ -156,18 +156,21 @@ TEST(Settings, ThatAreNumbersHaveTheRangesOfTheirOptions) {
     }
 }
 
-TEST(Settings, ThatBearOnTheVerdictDoNotReachCommandsThatReportsName) {
+/// A report's command names the renderer; what somebody types may leave that to the settings.
+TEST(Settings, ReachExplainWhereItIsNotToldWhoseFrame) {
     const SettingsFolder place{"width = 100\nrenderer = \"embree\"\nthreads = 3"};
-    std::vector<const char*> argv{"zproof", "explain", "room", "1", "1"};
-    const Environment environment = [&](const std::string& name) {
-        static const std::string file = place.file();
-        return name == "ZPROOF_CONFIG" ? file.c_str() : nullptr;
+    const auto explain = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"explain", "room", "1", "1"};
+        words.insert(words.end(), more.begin(), more.end());
+        return std::any_cast<ExplainArguments>(place.parsed(words).arguments);
     };
-    const auto explain = std::any_cast<ExplainArguments>(
-        parse_command_line(int(argv.size()), argv.data(), environment).arguments);
-    EXPECT_EQ(explain.settings.resolution.width, 1920);
-    EXPECT_EQ(name_of(explain.renderers.candidate), "zproof");
-    EXPECT_EQ(explain.common.threads, 3);
+    EXPECT_EQ(explain({}).settings.resolution.width, 100);
+    EXPECT_EQ(name_of(explain({}).renderers.candidate), "embree");
+    const ExplainArguments told = explain({"--renderer", "zproof"});
+    EXPECT_EQ(told.settings.resolution.width, 1920);
+    EXPECT_EQ(name_of(told.renderers.candidate), "zproof");
+    EXPECT_EQ(told.common.threads, 3);
+    EXPECT_EQ(explain({"--candidate", "frame.exr"}).settings.resolution.width, 1920);
 }
 
 TEST(Settings, OfACiServerAreTheWeakest) {

@@ -53,6 +53,38 @@ TEST(CommandLine, OfMeasureIsUnderstood) {
     EXPECT_EQ(table.format, MeasurementFormat::table);
     EXPECT_EQ(std::any_cast<MeasureArguments>(parsed({"measure", "zproof", "--json"}).arguments).format,
               MeasurementFormat::json);
+    EXPECT_THROW(parsed({"measure"}), UsageError);
+}
+
+TEST(CommandLine, NamesARendererAlikeWhereOneIsLookedAt) {
+    const char* command = "./mine {scene} {out}";
+    for (const char* option : {"", "--renderer"}) {
+        const auto given = [&](const char* name, std::vector<const char*> words) {
+            words.insert(words.begin(), name);
+            if (*option != '\0') words.push_back(option);
+            words.push_back(command);
+            return parsed(words);
+        };
+        EXPECT_EQ(name_of(std::any_cast<MeasureArguments>(given("measure", {}).arguments).renderer), command);
+        const auto fit = std::any_cast<FitArguments>(given("fit", {"room"}).arguments);
+        EXPECT_EQ(name_of(fit.renderer), command);
+        EXPECT_EQ(fit.scenes, std::vector<std::string>{"room"});
+        const auto selfcheck = std::any_cast<SelfcheckArguments>(given("selfcheck", {}).arguments);
+        EXPECT_EQ(name_of(selfcheck.renderer), command);
+        EXPECT_TRUE(selfcheck.scenes.empty());
+    }
+    EXPECT_THROW(parsed({"fit", "embree", "--renderer", "opengl"}), UsageError);
+}
+
+TEST(CommandLine, TakesBothSidesOfAPictureInOneWord) {
+    const auto run = [](std::vector<const char*> words) {
+        words.insert(words.begin(), "run");
+        return std::any_cast<RunArguments>(parsed(words).arguments).settings.resolution;
+    };
+    EXPECT_EQ(run({"--width", "640x480"}), (Resolution{640, 480}));
+    EXPECT_THROW(run({"--width", "640x"}), UsageError);
+    EXPECT_THROW(run({"--width", "640x0"}), UsageError);
+    EXPECT_THROW(run({"--width", "640x480", "--height", "480"}), UsageError);
 }
 
 TEST(CommandLine, OfFitIsUnderstood) {

@@ -90,7 +90,8 @@ TEST(ConventionWord, MistakesAreNamed) {
     };
     says("pytorch", "expected one of pytorch3d, nvdiffrast, blender, open3d, mitsuba, bop");
     says("bop,rows", "expected KEY=VALUE, found 'rows'");
-    says("scale=2", "/scale: unknown key; allowed here: id_channel, ");
+    says("scale=2", "/scale: unknown key; did you mean 'depth_scale'?");
+    says("planes=2", "/planes: unknown key; allowed here: id_channel, ");
     says("id_base=-1", "/id_base: expected a whole number from 0 to 4294967295, found -1");
     says("id_base=4294967296", "found 4294967296");
     says("id_background=18446744073709551615", "/id_background: expected a whole number or largest");

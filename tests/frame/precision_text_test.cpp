@@ -63,8 +63,9 @@ TEST(PrecisionText, ARefusalNamesPlaceAndRemedy) {
               "precision 'raster,subpixel_bits=99': /subpixel_bits: expected a whole number from 0 to 16, "
               "found 99");
     EXPECT_NE(refusal("raster,subpixel_bits=4.5").find("whole number"), std::string::npos);
-    EXPECT_NE(refusal("raster,bits=8").find("/bits: unknown key; allowed here: kind, projections, transform"),
-              std::string::npos);
+    EXPECT_NE(
+        refusal("raster,planes=8").find("/planes: unknown key; allowed here: kind, projections, transform"),
+        std::string::npos);
     EXPECT_NE(refusal("raster,snap=round")
                   .find("expected \"nearest\" or \"truncate\" or \"none\", found \"round\""),
               std::string::npos);

@@ -14,7 +14,7 @@ void read_input(Input input) {
     to_junit(results);
     to_github(results);
     to_csv(results);
-    summary_table(results, Colour::ansi);
+    summary_table(results, {.colour = Colour::ansi});
     require(to_markdown(results).size() <= largest_summary, "a summary is as small as GitHub takes it");
 }
 

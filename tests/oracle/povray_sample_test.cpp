@@ -102,7 +102,7 @@ TEST(PovRaySample, TrianglesThatNoRayMeetsAreNotWritten) {
 
 TEST(PovRayBudget, IsAKnownNumberOfPixelsDrawnByTheSeed) {
     const Loaded suite = generate_suite_scene("room", 1920, 1080);
-    const auto [lattice, fewer_because] = affordable_pixels(suite.scene, suite.views.at(0), 1);
+    const auto [lattice, fewer_because, seconds] = affordable_pixels(suite.scene, suite.views.at(0), 1);
     EXPECT_EQ(lattice.stride, 6);
     EXPECT_EQ(size_of(lattice, {1920, 1080}).pixel_count(), 57'600u);
     EXPECT_EQ(fewer_because, "");

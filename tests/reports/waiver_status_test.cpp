@@ -96,7 +96,7 @@ TEST(WaivedRun, KeepsEveryPlaceOfAWaiver) {
 
 TEST(WaivedRun, ShowsWaivedPixelsInEveryReport) {
     const Results r = waived_run();
-    const std::string table = summary_table(r, Colour::plain);
+    const std::string table = summary_table(r, {});
     EXPECT_TRUE(holds_text(table, "2 (3 waived)")) << table;
     EXPECT_TRUE(holds_text(table, "3 hidden (1 waived), 2 wrong_depth (2 waived)")) << table;
     const std::string junit = to_junit(r);

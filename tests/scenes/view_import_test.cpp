@@ -162,7 +162,7 @@ TEST_F(ViewImport, WhatIsNoPinholeOfOpenCvsIsRefused) {
             view[key] = value;
         expect_refusal([&] { opencv(view); }, said);
     };
-    with("pixel_centre", nullptr, "\"pixel_centre\" is missing");
+    with("pixel_centre", nullptr, "\"pixel_centre\" is missing; expected \"integer\"");
     with("pixel_centre", "corner", "/views/0/pixel_centre: expected \"integer\"");
     with("distortion", {0, 0.1}, "/views/0/distortion/1: a distorted image");
     with("K", {{600, 1, 300}, {0, 600, 200}, {0, 0, 1}}, "/views/0/K: expected no skew");

@@ -1,8 +1,10 @@
-#include "frame/nearest_word.h"
+#include "frame/did_you_mean.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
+
+#include "frame/joined.h"
 
 namespace zproof {
 namespace {
@@ -26,9 +28,19 @@ std::size_t edits_between(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string did_you_mean(const std::string& word, std::span<const std::string> known) {
+    constexpr std::size_t most_edits = 2, shortest_part = 4;
     const auto edits = [&](const std::string& candidate) { return edits_between(word, candidate); };
-    const auto nearest = std::ranges::min_element(known, {}, edits);
-    return nearest != known.end() && edits(*nearest) <= 2 ? "; did you mean '" + *nearest + "'?" : "";
+    const auto holds_it = [&](const std::string& candidate) {
+        return word.size() >= shortest_part && candidate.find(word) != std::string::npos;
+    };
+    auto meant = std::ranges::min_element(known, {}, edits);
+    if (meant != known.end() && edits(*meant) > most_edits) meant = std::ranges::find_if(known, holds_it);
+    return meant == known.end() ? "" : "; did you mean '" + *meant + "'?";
+}
+
+std::string did_you_mean_or_all(const std::string& word, std::span<const std::string> known) {
+    const std::string meant = did_you_mean(word, known);
+    return meant.empty() ? "; allowed here: " + joined(known) : meant;
 }
 
 }  // namespace zproof
