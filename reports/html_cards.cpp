@@ -72,10 +72,8 @@ std::string ring_legend(std::span<const PageView> pages) {
 }  // namespace
 
 std::string html_answer(const Results& results) {
-    const auto failed = std::uint64_t(
-        std::ranges::count_if(results.views, [](const ViewResult& v) { return defect_count(v) > 0; }));
     const std::vector<RunCause> causes = run_causes(results);
-    const std::string words = in_words(causes, failed);
+    const std::string words = in_words(causes, failed_views(results));
     return (words.empty() ? "" : "<p class=\"cause\">" + escaped(words) + "</p>\n") + other_causes(causes) +
            next_step(results);
 }

@@ -67,7 +67,7 @@ std::vector<std::string> summary_texts(const ViewResult& v) {
         if (has_column(PixelClass(i))) texts.push_back(grouped(v.counts[std::size_t(i)]));
     const std::string waived = waived_count(v) == 0 ? "" : "\n" + grouped(waived_count(v)) + " waived";
     texts.push_back(grouped(unwaived_defects(v)) + waived);
-    texts.push_back(rounded(v.candidate_depth.max_error_over_bound));
+    texts.push_back(error_over_bound_words(v));
     texts.push_back(rounded(v.reference_depth.max_error_over_bound));
     return texts;
 }

@@ -135,12 +135,19 @@ std::string depth_cell(const Answer& answer) {
            "</span>";
 }
 
+/// Of a defect of the id the depth's error says nothing, and would read like a pass.
+bool says_of_depth(const Finding& f) {
+    const bool id_is_wrong = is_defect(f.verdict) && f.verdict != PixelClass::wrong_depth &&
+                             f.verdict != PixelClass::wrong_attribute;
+    return !id_is_wrong && !std::isnan(f.error_over_bound);
+}
+
 std::string worst_row(const ReportedFinding& reported) {
     const Finding& f = reported.finding;
     return "<tr data-x=\"" + std::to_string(f.x) + "\" data-y=\"" + std::to_string(f.y) + "\">" +
            cell("n", std::to_string(f.x) + ", " + std::to_string(f.y)) + cell("", class_badge(f.verdict)) +
            cell("n", depth_cell(f.candidate)) + cell("n", depth_cell(f.reference)) +
-           cell("n", std::isnan(f.error_over_bound) ? "–" : rounded(f.error_over_bound)) +
+           cell("n", says_of_depth(f) ? rounded(f.error_over_bound) : "–") +
            cell("words", escaped(reported.explanation) + "<br>" + code(reported.command) +
                              (reported.waiver.empty() ? "" : "<br>waived by " + code(reported.waiver))) +
            "</tr>\n";

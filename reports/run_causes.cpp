@@ -19,6 +19,11 @@ std::vector<RunCause> run_causes(const Results& results) {
     return causes;
 }
 
+std::uint64_t failed_views(const Results& results) {
+    return std::uint64_t(
+        std::ranges::count_if(results.views, [](const ViewResult& v) { return defect_count(v) > 0; }));
+}
+
 std::string in_words(const std::vector<RunCause>& causes, std::uint64_t failed_views) {
     if (failed_views == 0) return "";
     if (causes.empty()) return "No cause is certain.";

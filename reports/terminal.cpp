@@ -9,6 +9,7 @@
 #include "reports/extent.h"
 #include "reports/notes.h"
 #include "reports/renderer_record.h"
+#include "reports/run_causes.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -270,13 +271,19 @@ std::string outcomes(const Results& results, Colour colour) {
     return text;
 }
 
+/// Of a run in which more than one view failed.
+std::string cause_line(const Results& results) {
+    const std::uint64_t failed = failed_views(results);
+    return failed < 2 ? "" : one_line(in_words(run_causes(results), failed)) + "\n";
+}
+
 }  // namespace
 
 std::string summary_table(const Results& results, const SummaryStyle& style) {
     std::string text = style.rows == SummaryStyle::Rows::each_view ? table(results, style) : "";
     for (const Alike& group : failures(results)) text += "\n" + story(group, style.colour);
-    return text + "\n" + note_lines(results) + oracle_lines(results) + outcomes(results, style.colour) + "\n" + totals(results) +
-           "\n";
+    return text + "\n" + note_lines(results) + oracle_lines(results) + cause_line(results) +
+           outcomes(results, style.colour) + "\n" + totals(results) + "\n";
 }
 
 }  // namespace zproof
