@@ -9,7 +9,7 @@ namespace zproof {
 std::vector<RunCause> run_causes(const Results& results) {
     std::vector<RunCause> causes;
     for (const ViewResult& view : results.views) {
-        if (!view.diagnosis || !view.diagnosis->cause) continue;
+        if (view.outcome != Outcome::defective || !view.diagnosis || !view.diagnosis->cause) continue;
         const Explanation& cause = *view.diagnosis->cause;
         auto known = std::ranges::find(causes, cause.name, &RunCause::name);
         if (known == causes.end()) known = causes.insert(known, {cause.name, cause.look_at});
@@ -20,8 +20,7 @@ std::vector<RunCause> run_causes(const Results& results) {
 }
 
 std::uint64_t failed_views(const Results& results) {
-    return std::uint64_t(
-        std::ranges::count_if(results.views, [](const ViewResult& v) { return defect_count(v) > 0; }));
+    return std::uint64_t(std::ranges::count(results.views, Outcome::defective, &ViewResult::outcome));
 }
 
 std::string in_words(const std::vector<RunCause>& causes, std::uint64_t failed_views) {

@@ -18,7 +18,7 @@ struct RunCause {
 /// By the views of which each is the likely cause; of as many, the one that was named first.
 std::vector<RunCause> run_causes(const Results& results);
 
-/// The views with a pixel that fails the gate, waived or not.
+/// The views that are defective: waived ones are not.
 std::uint64_t failed_views(const Results& results);
 
 /// "Likely cause of 5 of 7 failed views: A. Look at ...", or "of all 7"; says so where no view has one. Empty

@@ -30,6 +30,14 @@ TEST(RunCauses, AreCountedByViewsTheCommonestFirst) {
     EXPECT_EQ(in_words(causes, 5), "Likely cause of 2 of 5 failed views: b. Look.");
 }
 
+TEST(RunCauses, AreNotThoseOfWaivedViews) {
+    Results results = run_of({"a", "b"});
+    results.views[0].outcome = Outcome::proven;
+    EXPECT_EQ(failed_views(results), 1u);
+    ASSERT_EQ(run_causes(results).size(), 1u);
+    EXPECT_EQ(run_causes(results)[0].name, "b");
+}
+
 TEST(RunCauses, SayHowManyViewsTheyExplain) {
     EXPECT_EQ(in_words(run_causes(run_of({"a", "a"})), 2), "Likely cause of all 2 failed views: a. Look.");
     EXPECT_EQ(in_words(run_causes(run_of({"a"})), 1), "Likely cause: a. Look.");
