@@ -56,8 +56,8 @@ TEST(Evidence, OfProvenViewsIsWhatThePageShowsAndTheVerdictStays) {
     EXPECT_EQ(files.size(), 2 * of_every_view.size()) << "of both views of the room";
     for (const std::string& file : files) {
         EXPECT_EQ(of_every_view.count(fs::path(file).filename()), 1u) << file;
-        if (fs::path(file).filename() != "planes.zvp")
-            EXPECT_EQ(folder.read("some/" + file), folder.read("all/" + file)) << file;
+        if (fs::path(file).filename() == "planes.zvp") continue;  // which holds less
+        EXPECT_EQ(folder.read("some/" + file), folder.read("all/" + file)) << file;
     }
     const json all = views_in(folder, "all"), some = views_in(folder, "some");
     ASSERT_EQ(all.size(), some.size());

@@ -170,7 +170,7 @@ TEST(Terminal, TellsEachKindOfNoteOnce) {
     EXPECT_EQ(note_lines(results),
               "note: a: images not read: 3\nnote: 3 scenes: flat\nnote: 2 scenes: huge\nnote: b: lost: "
               "\\x1b[2J\nnote: b: lost: x\nnote: c: away\n");
-    EXPECT_NE(summary_table(results, Colour::plain).find("\n\nnote: a: images not read: 3\n"),
+    EXPECT_NE(summary_table(results, SummaryStyle{}).find("\n\nnote: a: images not read: 3\n"),
               std::string::npos);
 }
 
