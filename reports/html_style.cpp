@@ -45,7 +45,8 @@ section { border-top: 1px solid var(--line); margin-top: 2.5rem; padding-top: 1.
 }
 .card:hover .name { text-decoration: underline; }
 .card img, .card .no-picture {
-  display: block; width: 100%; aspect-ratio: 16 / 9; object-fit: contain; background: #000; border-radius: 3px;
+  display: block; width: 100%; aspect-ratio: 16 / 9;
+  object-fit: contain; background: #000; border-radius: 3px;
   margin-bottom: 0.35rem;
 }
 .card .no-picture { background: var(--soft); }
