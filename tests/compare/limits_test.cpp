@@ -75,12 +75,6 @@ TEST(Limit, ATriangleShowsBesideAWallWithinEps) {
     EXPECT_EQ(sides.first_beyond, PixelClass::hidden) << "nothing abuts the wall";
 }
 
-/// x is y, and the other way round.
-Triangle transposed(Triangle triangle) {
-    for (Corner& corner : triangle) std::swap(corner.x, corner.y);
-    return triangle;
-}
-
 /// Two walls overlap evenly around the centre, side by side or one above the other.
 TEST(Limit, ACrackOpensWhereUnsharedEdgesOverlapByLessThanTwiceEps) {
     for (const bool is_transposed : {false, true}) {

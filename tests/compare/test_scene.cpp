@@ -45,6 +45,11 @@ Triangle wall_right_of(double x, double depth, double top, double bottom) {
     return {{{x, top, depth}, {512, 8, depth}, {x, bottom, depth}}};
 }
 
+Triangle transposed(Triangle triangle) {
+    for (Corner& corner : triangle) std::swap(corner.x, corner.y);
+    return triangle;
+}
+
 Precision raster_precision() {
     return RasterPrecision{.transform = Arithmetic::float64,
                            .subpixel_bits = 8,

@@ -28,6 +28,9 @@ Triangle wall(double depth);
 Triangle wall_left_of(double x, double depth, double top = -64, double bottom = 64);
 Triangle wall_right_of(double x, double depth, double top = -64, double bottom = 64);
 
+/// x is y, and the other way round.
+Triangle transposed(Triangle triangle);
+
 /// A rasterizer with 8 sub-pixel bits and a float64 transform, and a float32 ray caster.
 Precision raster_precision();
 Precision ray_precision();
