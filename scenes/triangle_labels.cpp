@@ -6,9 +6,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "frame/did_you_mean.h"
 #include "frame/input_file.h"
 #include "frame/joined.h"
-#include "frame/did_you_mean.h"
 #include "scenes/cryptomatte.h"
 #include "scenes/json_text.h"
 #include "scenes/refusal.h"
