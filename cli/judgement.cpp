@@ -19,8 +19,13 @@
 namespace zproof {
 namespace {
 
-/// A run of more scenes leaves pictures of those alone that leave evidence: nobody looks at so many.
-constexpr std::size_t most_shown_scenes = 1000;
+/// Pictures of thousands of scenes, or of scenes that are drawn by chance, are looked at where they fail
+/// alone.
+bool are_all_shown(const std::vector<SceneSource>& sources) {
+    constexpr std::size_t most_shown = 1000;
+    return sources.size() <= most_shown &&
+           std::ranges::count(sources, SceneSource::Kind::random, &SceneSource::kind) == 0;
+}
 
 /// What an earlier run into this folder found; nothing where there was none, or one of another version.
 Results earlier_results(const std::filesystem::path& folder) {
@@ -91,7 +96,7 @@ ExitCode judge_and_report(const RunRequest& request) {
                                gate,
                                report.pictures,
                                report.evidence,
-                               sources.size() <= most_shown_scenes,
+                               are_all_shown(sources),
                                settings.samples,
                                views,
                                report.typed,

@@ -45,6 +45,24 @@ LinearRgb mean_at(const Seen& seen, int x, int y, Resolution picture, int side) 
     return sum;
 }
 
+Plane<Rgb8> drawn(const Seen& seen, Resolution resolution, int samples_per_side) {
+    Picture light(resolution);
+    tbb::parallel_for(0, resolution.height, [&](int y) {
+        for (int x = 0; x < resolution.width; ++x)
+            light.at(x, y) = mean_at(seen, x, y, resolution, samples_per_side);
+    });
+    return picture_of_light(light);
+}
+
+/// Each pixel as a square of whole pixels.
+Plane<Rgb8> enlarged(const Plane<Rgb8>& small, Resolution resolution) {
+    const int times = resolution.width / small.size().width;
+    Plane<Rgb8> large(resolution);
+    for (int y = 0; y < resolution.height; ++y)
+        for (int x = 0; x < resolution.width; ++x) large.at(x, y) = small.at(x / times, y / times);
+    return large;
+}
+
 /// The severest class of the view's pixels that each pixel of the picture holds.
 Plane<PixelClass> marks_of(const Plane<PixelClass>& classes, Resolution picture) {
     Plane<PixelClass> marks(picture, PixelClass::agree);
@@ -112,12 +130,9 @@ Resolution resolution_of(PictureSize size, Resolution view) {
 Plane<Rgb8> view_picture(const Plane<PixelClass>& classes, const Plane<PrimitiveId>& ids,
                          const ColourAt& colour_at, PictureSize size) {
     const Resolution view = classes.size(), resolution = resolution_of(size, view);
-    Picture light(resolution);
-    tbb::parallel_for(0, resolution.height, [&](int y) {
-        for (int x = 0; x < resolution.width; ++x)
-            light.at(x, y) = mean_at({ids, colour_at}, x, y, resolution, size.samples_per_side);
-    });
-    Plane<Rgb8> picture = picture_of_light(light);
+    Plane<Rgb8> picture = resolution.width > view.width
+                              ? enlarged(drawn({ids, colour_at}, view, 1), resolution)
+                              : drawn({ids, colour_at}, resolution, size.samples_per_side);
     const Plane<PixelClass> marks = marks_of(classes, resolution);
     draw(Outline(marks, admissible_ring, true), picture);
     draw_defects(marks, picture);
