@@ -25,15 +25,12 @@ std::string other_causes(const std::vector<RunCause>& causes) {
     return items.empty() ? "" : "<p class=\"fine\">Of others: " + items + ".</p>\n";
 }
 
-/// "9 edge, 2 depth_tie": the pixels that are not `agree`; of a view with defects, those alone.
+/// The tally; of a view with defects, theirs alone.
 std::string differences(const ViewResult& v) {
-    const bool fails = defect_count(v) > 0;
-    std::string text;
-    for (std::size_t i = 1; i < v.counts.size(); ++i)
-        if (v.counts[i] > 0 && (!fails || is_defect(PixelClass(i))))
-            text +=
-                (text.empty() ? "" : ", ") + grouped(v.counts[i]) + " " + std::string(name_of(PixelClass(i)));
-    return text.empty() ? "no difference" : text;
+    ClassCounts counts = v.counts;
+    for (std::size_t i = 0; defect_count(v) > 0 && i < counts.size(); ++i)
+        if (!is_defect(PixelClass(i))) counts[i] = 0;
+    return tally(counts);
 }
 
 std::string card_picture(const PageView& page) {

@@ -107,8 +107,11 @@ PagePlanes page_planes(const Results& results, std::span<const PageView> views,
 enum class Folded { yes, no };
 std::string html_view(const PageView& page, Folded folded = Folded::yes);
 
-/// A declared precision (JSON) in one line: "raster; transform float64, subpixel bits 8, watertight". What is
-/// 0 or not the case is left out.
+/// The pixels that are not `agree`: "9 edge, 2 depth_tie"; "no difference".
+std::string tally(const ClassCounts& counts);
+
+/// A declared precision (JSON) in one line: "raster; transform float64, subpixel bits 8, watertight". Slacks
+/// of 0.0 and what is not the case are left out.
 std::string promise_in_words(const std::string& precision);
 
 /// The matrix of renderers; empty where nothing was judged.

@@ -86,15 +86,6 @@ std::string id_agreement_table(const ViewResult& v) {
            ".</p></div>\n";
 }
 
-std::string tally(const ClassCounts& counts) {
-    std::string text;
-    for (std::size_t i = 1; i < counts.size(); ++i)
-        if (counts[i] > 0)
-            text +=
-                (text.empty() ? "" : ", ") + grouped(counts[i]) + " " + std::string(name_of(PixelClass(i)));
-    return text.empty() ? "no difference" : text;
-}
-
 /// Class by class, how far two pictures lie apart.
 std::string picture_words(const PictureDifferences& differences) {
     std::string text = "; colours in linear light:";
@@ -128,12 +119,22 @@ std::string oracle_item(const ViewResult& v, const OracleResult& w) {
 
 }  // namespace
 
+std::string tally(const ClassCounts& counts) {
+    std::string text;
+    for (std::size_t i = 1; i < counts.size(); ++i)
+        if (counts[i] > 0)
+            text +=
+                (text.empty() ? "" : ", ") + grouped(counts[i]) + " " + std::string(name_of(PixelClass(i)));
+    return text.empty() ? "no difference" : text;
+}
+
 std::string promise_in_words(const std::string& precision) {
     const json declared = json::parse(precision, nullptr, false);
     if (!declared.is_object()) return "";
     std::string kind, text;
     for (const auto& [key, value] : declared.items()) {
-        if (value == false || value == 0 || value == 1 || value.is_structured()) continue;
+        const bool is_no_slack = value.is_number_float() && value == 0.0;
+        if (value == false || is_no_slack || value.is_structured()) continue;
         std::string said = value.is_string() ? spaced(value.get<std::string>()) : value.dump();
         if (key == "kind")
             kind = std::move(said);

@@ -113,6 +113,14 @@ TEST(Html, BeginsWithTheAnswerAndACardOfEachView) {
     EXPECT_EQ(occurrences(page.substr(cards, table - cards), "not_judged"), 1u);
 }
 
+TEST(Html, APromiseIsALineOfWords) {
+    EXPECT_EQ(promise_in_words(
+                  R"({"kind": "raster", "subpixel_bits": 0, "matrices": 1, "third_weight": "edge_function",
+                                   "least_area_px2": 0.0, "watertight": true, "clipped": false})"),
+              "raster; matrices 1, subpixel bits 0, third weight edge function, watertight");
+    EXPECT_EQ(promise_in_words(""), "") << "of older results";
+}
+
 TEST(Html, FoldsAllButTheFirstFailedSections) {
     Results results = sample_results();
     const ViewResult failed = results.views[1];
