@@ -174,4 +174,17 @@ TEST(Terminal, TellsEachKindOfNoteOnce) {
               std::string::npos);
 }
 
+TEST(SummaryTable, NamesTheCauseOfTheRunWhereMoreThanOneViewFailed) {
+    Results results = sample_results();
+    ViewResult failed = results.views[1];
+    ASSERT_EQ(failed.outcome, Outcome::defective);
+    failed.diagnosis = Diagnosis{};
+    failed.diagnosis->cause = Explanation{.name = "all is moved", .description = ""};
+    results.views = {failed};
+    EXPECT_EQ(summary_table(results, {}).find("Likely cause"), std::string::npos) << "its own story says it";
+    results.views = {failed, failed};
+    EXPECT_NE(summary_table(results, {}).find("\nLikely cause of all 2 failed views: all is moved.\n"),
+              std::string::npos);
+}
+
 }  // namespace zproof
