@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compare/judge.h"
+#include "compare/labels/labelled_frame.h"
 
 namespace zproof {
 
@@ -43,10 +44,11 @@ double explained_share(const Explanation& explanation);
 /// A cause is named where nothing that was asked speaks against it and it shortens the description of the
 /// frame by three quarters of what the defects take, with further causes of what it leaves, where there are
 /// some (docs/diagnosis.md, "Named, or not"). Nothing without defects. Deterministic for any number of
-/// threads; frames as judge() wants them. `without`: names of hypotheses that are left out, to learn what is
-/// said of a cause that nobody thought of.
+/// threads; frames as judge() wants them. `said`: what a candidate says that names no triangles. `without`:
+/// names of hypotheses that are left out, to learn what is said of a cause that nobody thought of.
 std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
                                   const RenderedFrame& reference, const Verdict& verdict,
+                                  const std::optional<SaidLabels>& said = {},
                                   std::span<const std::string> without = {});
 
 }  // namespace zproof

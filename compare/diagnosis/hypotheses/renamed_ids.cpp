@@ -1,6 +1,7 @@
 #include "compare/diagnosis/hypotheses/renamed_ids.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace zproof {
 
@@ -38,6 +39,21 @@ Ids most_often_with(std::span<const PrimitiveId> ids, std::span<const PrimitiveI
         most[id] = other;
     }
     return most;
+}
+
+Cause through_srgb(const std::string& what) {
+    return {what + " went through the curve of sRGB", "Each byte was taken for a linear colour and encoded.",
+            "Look at the format of the texture and of the file: ids must be stored as data, not as colours."};
+}
+
+std::uint32_t in_srgb_bytes(std::uint32_t id) {
+    std::uint32_t encoded = 0;
+    for (int byte = 0; byte < 4; ++byte) {
+        const double linear = double(id >> 8 * byte & 0xFF) / 255;
+        const double srgb = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+        encoded |= std::uint32_t(std::round(255 * srgb)) << 8 * byte;
+    }
+    return encoded;
 }
 
 std::size_t part_of(const Scene& scene, std::uint32_t triangle) {
