@@ -37,7 +37,9 @@ const std::map<std::string, std::string> not_yet{
 };
 
 /// Those of which depth alone tells less.
-const std::map<std::string, std::string> not_told_by_depth{};
+const std::map<std::string, std::string> not_told_by_depth{
+    {"tear", "the other frame is not before the judge"},
+};
 
 struct Row {
     std::string frame, right_cause, named, share, remark;

@@ -39,6 +39,7 @@ constexpr std::array all_families{Family{Kind::signs, hypotheses_of_signs},
                                   Family{Kind::coverage, hypotheses_of_coverage},
                                   Family{Kind::parts, hypotheses_of_parts},
                                   Family{Kind::place, hypotheses_of_window},
+                                  Family{Kind::place, hypotheses_of_fitted_cameras},
                                   Family{Kind::precision, hypotheses_of_precision}};
 
 /// What may be wrong where a frame shows no triangle: nothing else would show.

@@ -34,6 +34,8 @@ std::vector<Hypothesis> hypotheses_of_coverage(const DiagnosisInput& input);
 std::vector<Hypothesis> hypotheses_of_parts(const DiagnosisInput& input);
 /// Another window, camera or scene is drawn.
 std::vector<Hypothesis> hypotheses_of_window(const DiagnosisInput& input);
+/// Another window or pose of the camera, fitted to the depths.
+std::vector<Hypothesis> hypotheses_of_fitted_cameras(const DiagnosisInput& input);
 /// Less precision than was declared, the least loss first.
 std::vector<Hypothesis> hypotheses_of_precision(const DiagnosisInput& input);
 

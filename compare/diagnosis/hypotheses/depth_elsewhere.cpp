@@ -16,13 +16,14 @@ constexpr double no_limit = std::numeric_limits<double>::infinity();
 /// float32 roundings of a told_rounding: a quotient, a product, a sum, and the store.
 const double told_rounding = gamma(4, unit_roundoff_float32);
 
-/// The bounds of the depths that the candidate's ids may have at their pixels.
+/// The bounds of the depths that the candidate's ids may have at their pixels; the reference's ids, where the
+/// candidate names no triangles.
 class OwnDepths {
   public:
     explicit OwnDepths(const DiagnosisInput& input)
         : scene_(input.scene),
           view_(input.view),
-          frame_(input.candidate.frame),
+          frame_(input.said ? input.reference.frame : input.candidate.frame),
           bounds_(input.view, shown_precision(input.candidate.precision)) {}
 
     /// Nothing where the id is none or no triangle's.

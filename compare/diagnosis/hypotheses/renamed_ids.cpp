@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/srgb.h"
+
 namespace zproof {
 
 Hypothesis with_ids_reported_as(const DiagnosisInput& input, const Cause& cause, const Renamed& told) {
@@ -50,8 +52,7 @@ std::uint32_t in_srgb_bytes(std::uint32_t id) {
     std::uint32_t encoded = 0;
     for (int byte = 0; byte < 4; ++byte) {
         const double linear = double(id >> 8 * byte & 0xFF) / 255;
-        const double srgb = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-        encoded |= std::uint32_t(std::round(255 * srgb)) << 8 * byte;
+        encoded |= std::uint32_t(std::round(255 * encoded_srgb(linear))) << 8 * byte;
     }
     return encoded;
 }
