@@ -198,7 +198,8 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
     std::optional<Diagnosis> diagnosis;
     const auto judge_and_diagnose = [&] {
         verdict = judge_as_wanted(view_run, ours, theirs);
-        diagnosis = diagnose(scene, view, ours, theirs, verdict, candidate.said());
+        diagnosis =
+            diagnose(scene, view, ours, theirs, verdict, {candidate.said(), opened.candidate.convention});
     };
     if (!done_uninterrupted(judge_and_diagnose)) return std::nullopt;
     const bool is_whole = leaves_evidence(verdict, config.evidence);

@@ -158,7 +158,7 @@ std::optional<Diagnosis> Verdict::diagnosis() const {
     const auto& labels = data().declared.labels;
     const auto found = diagnose(
         scene().data().scene, view().data().view, candidate_of(data()), reference_of(data()), data().verdict,
-        labels ? std::optional(SaidLabels{*labels, data().given.primitive}) : std::nullopt);
+        {.said = labels ? std::optional(SaidLabels{*labels, data().given.primitive}) : std::nullopt});
     if (!found) return {};
     Diagnosis told{.text = in_words(*found), .cause = {}, .explained_share = 0, .defects = found->defects};
     if (found->cause) {

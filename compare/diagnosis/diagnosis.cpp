@@ -357,13 +357,13 @@ double explained_share(const Explanation& e) {
 
 std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
                                   const RenderedFrame& reference, const Verdict& verdict,
-                                  const std::optional<SaidLabels>& said,
-                                  std::span<const std::string> without) {
+                                  const FrameAsGiven& given, std::span<const std::string> without) {
     if (defect_count(verdict) == verdict.counts[std::size_t(PixelClass::wrong_attribute)])
         return std::nullopt;
     if (scene.triangles.empty())  // there is nothing to draw wrongly
         return Diagnosis{.defects = defect_count(verdict), .cause = {}, .further = {}, .runners_up = {}};
-    const DiagnosisInput input{scene, view, candidate, reference, said ? &*said : nullptr};
+    const DiagnosisInput input{
+        scene, view, candidate, reference, given.said ? &*given.said : nullptr, given.convention};
     return Diagnoser(input, verdict, without).run();
 }
 

@@ -10,6 +10,7 @@
 
 #include "compare/judge.h"
 #include "compare/labels/labelled_frame.h"
+#include "frame/convention.h"
 
 namespace zproof {
 
@@ -34,6 +35,12 @@ struct Diagnosis {
     std::vector<Explanation> runners_up;  ///< of the first cause, at most 3, the best first
 };
 
+/// What a frame was that became one of triangles and camera depths.
+struct FrameAsGiven {
+    std::optional<SaidLabels> said{};  ///< nothing: it names triangles
+    Convention convention{};           ///< of its depths
+};
+
 /// Shares of what is spared that differ by less are alike: they are known from samples of a thousand pixels.
 inline constexpr double alike_shares = 0.01;
 
@@ -44,11 +51,10 @@ double explained_share(const Explanation& explanation);
 /// A cause is named where nothing that was asked speaks against it and it shortens the description of the
 /// frame by three quarters of what the defects take, with further causes of what it leaves, where there are
 /// some (docs/diagnosis.md, "Named, or not"). Nothing without defects. Deterministic for any number of
-/// threads; frames as judge() wants them. `said`: what a candidate says that names no triangles. `without`:
-/// names of hypotheses that are left out, to learn what is said of a cause that nobody thought of.
+/// threads; frames as judge() wants them. `given`: what the candidate's frame was before it was judged.
+/// `without`: names of hypotheses that are left out, to learn what is said of a cause that nobody thought of.
 std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
                                   const RenderedFrame& reference, const Verdict& verdict,
-                                  const std::optional<SaidLabels>& said = {},
-                                  std::span<const std::string> without = {});
+                                  const FrameAsGiven& given = {}, std::span<const std::string> without = {});
 
 }  // namespace zproof

@@ -13,6 +13,7 @@
 #include "compare/adjudicate/adjudicator.h"
 #include "compare/judge.h"
 #include "compare/labels/labelled_frame.h"
+#include "frame/convention.h"
 
 namespace zproof {
 
@@ -81,6 +82,8 @@ struct DiagnosisInput {
     /// Where the candidate names no triangles: what it says. Its triangles stand for that, and under a
     /// hypothesis any triangle of the same label may.
     const SaidLabels* said = nullptr;
+    /// What its depths were before they became camera depths.
+    Convention convention{};
 };
 
 /// float32 values between both ends; at least 1.

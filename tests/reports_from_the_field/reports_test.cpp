@@ -124,7 +124,7 @@ TEST_P(DepthAlone, IsCalledByItsCause) {
     expect_right_cause(
         report,
         diagnose(shown.scene, shown.view, ours, theirs, judge(shown.scene, shown.view, ours, theirs),
-                 SaidLabels{none, shown.frame.primitive}),
+                 {.said = SaidLabels{none, shown.frame.primitive}}),
         not_told_by_depth);
 }
 

@@ -5,6 +5,7 @@
 #include "compare/diagnosis/hypotheses/affine_depth.h"
 #include "compare/diagnosis/hypotheses/catalogue.h"
 #include "math/rounding.h"
+#include "scenes/camera_depth.h"
 
 namespace zproof {
 
@@ -36,10 +37,30 @@ struct Linear {
     }
 };
 
+/// Depths as the frame stores them, by what they are turned back to where they are declared to be of a kind.
+class TurnedBack {
+  public:
+    explicit TurnedBack(const DiagnosisInput& input) : camera_depth_(input.convention, input.view) {}
+
+    ReportedDepth operator()(const ReportedDepth& stored, const Claim& claim) const {
+        if (camera_depth_.is_identity()) return stored;
+        const double one = camera_depth_(stored.low, claim.x, claim.y),
+                     other = camera_depth_(stored.high, claim.x, claim.y);
+        const double rounding = conversion * std::max(std::abs(one), std::abs(other));
+        return {std::min(one, other) - rounding, std::max(one, other) + rounding};
+    }
+
+  private:
+    CameraDepth camera_depth_;
+};
+
+/// Depths are stored as `report` says.
 template <class Report>
 Hypothesis reported_as(const DiagnosisInput& input, const Cause& cause, Report report) {
     Hypothesis h = as_declared(input, cause);
-    h.report = report;
+    h.report = [report, turned_back = TurnedBack(input)](const DepthBound& bound, const Claim& claim) {
+        return turned_back(report(bound, claim), claim);
+    };
     h.restate = [](Claim claim) -> std::optional<Claim> {
         if (claim.answer.primitive == PrimitiveId::none) claim.answer.camera_depth = background_depth;
         return claim;
@@ -140,6 +161,22 @@ Hypothesis ray_length_less_near(const DiagnosisInput& input) {
         report);
 }
 
+/// A coordinate of the point in the world, such as its height.
+Hypothesis coordinate(const DiagnosisInput& input, int axis, const std::string& name) {
+    const auto report = [view = input.view, axis](const DepthBound& bound, const Claim& claim) {
+        const ViewRay<double> ray(view, claim.x, claim.y);
+        const auto along = [axis](const Vector3<double>& v) {
+            return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+        };
+        return Linear{along(ray.origin), along(ray.direction)}(bound, claim);
+    };
+    return reported_as(input,
+                       {"depth is the point's " + name + " in the world",
+                        "What is told for depth is a coordinate of the place that the pixel shows.",
+                        "Look at which pass or channel is exported: a position or a height map is no depth."},
+                       report);
+}
+
 std::string factor_text(double factor) {
     return factor > 1 ? std::to_string(int(factor)) : "1/" + std::to_string(int(std::round(1 / factor)));
 }
@@ -199,6 +236,14 @@ std::vector<Hypothesis> hypotheses_of_depth(const DiagnosisInput& input) {
                                             Linear{-c.near_depth, 1}),
                                 ray_length_from_near(input),
                                 ray_length_less_near(input)};
+    if (!CameraDepth(input.convention, input.view).is_identity())
+        all.push_back(reported_as(input,
+                                  {"depth is along the view axis already",
+                                   "Depth is camera depth, and is turned back as if it were of another kind.",
+                                   "Look at depth_kind and depth_scale of the convention."},
+                                  Linear{0, 1}));
+    for (const auto& [axis, name] : {std::pair{0, "x"}, {1, "y"}, {2, "z"}})
+        all.push_back(coordinate(input, axis, name));
     for (const double unit : {1000.0, 100.0, 10.0})
         for (const double factor : {unit, 1 / unit})
             all.push_back(reported_as(
