@@ -22,7 +22,8 @@ namespace {
 
 std::vector<FieldFrame> all_frames() {
     std::vector<FieldFrame> all;
-    for (const auto& family : {frames_of_drawing, frames_of_place, frames_of_depth, frames_of_ids}) {
+    for (const auto& family :
+         {frames_of_drawing, frames_of_place, frames_of_depth, frames_of_depth_pictures, frames_of_ids}) {
         std::vector<FieldFrame> more = family();
         all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     }
@@ -136,7 +137,8 @@ TEST(Reports, NotYetHoldsFramesOnly) {
 
 std::vector<FieldFrame> frames_of_depths() {
     std::vector<FieldFrame> all = frames_of_place();
-    for (const FieldFrame& frame : frames_of_depth()) all.push_back(frame);
+    for (const auto& more : {frames_of_depth(), frames_of_depth_pictures()})
+        all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 

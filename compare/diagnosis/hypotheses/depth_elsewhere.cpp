@@ -196,6 +196,17 @@ std::vector<Hypothesis> scaled_or_biased(const DiagnosisInput& input) {
     return all;
 }
 
+/// Pixels of a stereo pair instead of a depth.
+std::vector<Hypothesis> disparity(const DiagnosisInput& input) {
+    if (input.view.camera.projection == Projection::parallel) return {};
+    return fitted(input,
+                  {"depth is a disparity", "What is told for depth is, divided by depth, ",
+                   "Look at the stereo matcher's output: depth is focal length times baseline by disparity."},
+                  {.told = [](double k, double depth) { return k / depth; },
+                   .number = [](double told, double depth) { return told * depth; },
+                   .rounding = [](double k, double depth) { return told_rounding * std::abs(k / depth); }});
+}
+
 /// z was written with the declared planes, and read with another. z is rounded as a number of size 1, which
 /// is 1 / near in inverse depth.
 std::vector<Hypothesis> read_with_other_planes(const DiagnosisInput& input) {
@@ -266,7 +277,7 @@ std::vector<Hypothesis> hypotheses_of_depth_elsewhere(const DiagnosisInput& inpu
         for (const int dx : {0, -1, 1})
             if (dx != 0 || dy != 0) all.push_back(beside_centre(input, 0.5 * glm::dvec2(dx, dy)));
     for (const auto& more :
-         {scaled_or_biased(input), read_with_other_planes(input), clipped_elsewhere(input)})
+         {scaled_or_biased(input), disparity(input), read_with_other_planes(input), clipped_elsewhere(input)})
         all.insert(all.end(), more.begin(), more.end());
     return all;
 }
