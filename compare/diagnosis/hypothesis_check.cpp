@@ -183,14 +183,12 @@ class LocalScene {
 
   private:
     void widen(const DiagnosisInput& input, const RestatedClaims& restated, const Claim& claim) {
+        // a triangle that stands for a label may be anywhere: those that do come near are sought
+        const PrimitiveId near =
+            input.said ? input.reference.frame.primitive.at(claim.x, claim.y) : claim.answer.primitive;
         double& reach = reaches_[{claim.y, claim.x}];
-        const auto widen_for = [&](PrimitiveId triangle) {
-            reach = std::max(reach, own_eps_px(input.scene, restated.hypothesis().view, restated.bounds(),
-                                               {claim.x, claim.y}, triangle));
-        };
-        if (std::size_t(claim.answer.primitive) < input.scene.triangles.size() || !input.said)
-            widen_for(claim.answer.primitive);
-        if (input.said) widen_for(input.reference.frame.primitive.at(claim.x, claim.y));
+        reach = std::max(reach, own_eps_px(input.scene, restated.hypothesis().view, restated.bounds(),
+                                           {claim.x, claim.y}, near));
     }
 
     /// The search looks from half the near depth on: from the nearest near plane that anyone supposes.

@@ -43,6 +43,11 @@ const std::map<std::string, std::string> not_told_by_depth{
     {"first_pixel_of_the_quad", "but for four pixels at outlines, 2 x 2 pixels with one depth tell the same"},
 };
 
+/// Those of which labels tell less.
+const std::map<std::string, std::string> not_told_by_labels{
+    {"tear", "the other frame is not before the judge"},
+};
+
 struct Row {
     std::string frame, right_cause, named, share, remark;
 };
@@ -111,22 +116,39 @@ TEST_P(Report, IsCalledByItsCause) {
         not_yet);
 }
 
-/// The frames of place and of depth, of which the depths alone are kept.
+/// Diagnosed as a frame of such labels.
+std::optional<Diagnosis> diagnosis_of_labels(const FieldFrame& report, const TriangleLabels& labels,
+                                             const Shown& shown) {
+    const Frame reference = oracle::Embree(shown.scene).trace(shown.view);
+    Frame said = labels.are_absent ? shown.frame : with_labels(shown.frame, labels);
+    const Frame standing_in =
+        with_triangles(shown.scene, shown.view, {said, report.declared}, labels, reference);
+    const RenderedFrame ours{standing_in, report.declared}, theirs{reference, oracle::embree_precision()};
+    return diagnose(shown.scene, shown.view, ours, theirs, judge(shown.scene, shown.view, ours, theirs),
+                    {.said = SaidLabels{labels, said.primitive}});
+}
+
+/// Frames of which the depths alone are kept.
 class DepthAlone : public testing::TestWithParam<FieldFrame> {};
 
 TEST_P(DepthAlone, IsCalledByItsCause) {
-    const FieldFrame& report = GetParam();
-    const Shown shown = report.rebuild();
-    const Frame reference = oracle::Embree(shown.scene).trace(shown.view);
-    const TriangleLabels none = label_triangles("none", shown.scene);
-    const Frame standing_in =
-        with_triangles(shown.scene, shown.view, {shown.frame, report.declared}, none, reference);
-    const RenderedFrame ours{standing_in, report.declared}, theirs{reference, oracle::embree_precision()};
-    expect_right_cause(
-        report,
-        diagnose(shown.scene, shown.view, ours, theirs, judge(shown.scene, shown.view, ours, theirs),
-                 {.said = SaidLabels{none, shown.frame.primitive}}),
-        not_told_by_depth);
+    const Shown shown = GetParam().rebuild();
+    expect_right_cause(GetParam(),
+                       diagnosis_of_labels(GetParam(), label_triangles("none", shown.scene), shown),
+                       not_told_by_depth);
+}
+
+/// Frames whose ids are those of the scene's parts.
+class Labels : public testing::TestWithParam<FieldFrame> {};
+
+TEST_P(Labels, AreCalledByTheirCause) {
+    const Shown shown = GetParam().rebuild();
+    TriangleLabels labels{.ids = "primitive", .of_triangle = {}};
+    for (const Part& part : shown.scene.parts)
+        labels.of_triangle.resize(part.first_triangle,
+                                  labels.of_triangle.empty() ? 0 : labels.of_triangle.back() + 1);
+    labels.of_triangle.resize(shown.scene.triangles.size(), std::uint32_t(shown.scene.parts.size()));
+    expect_right_cause(GetParam(), diagnosis_of_labels(GetParam(), labels, shown), not_told_by_labels);
 }
 
 TEST(Reports, NotYetHoldsFramesOnly) {
@@ -135,17 +157,13 @@ TEST(Reports, NotYetHoldsFramesOnly) {
         EXPECT_EQ(std::ranges::count(all, name, &FieldFrame::name), 1) << name;
 }
 
-std::vector<FieldFrame> frames_of_depths() {
-    std::vector<FieldFrame> all = frames_of_place();
-    for (const auto& more : {frames_of_depth(), frames_of_depth_pictures()})
-        all.insert(all.end(), more.begin(), more.end());
-    return all;
-}
+std::string name_of(const testing::TestParamInfo<FieldFrame>& test) { return test.param.name; }
 
-INSTANTIATE_TEST_SUITE_P(Field, DepthAlone, testing::ValuesIn(frames_of_depths()),
-                         [](const auto& test) { return test.param.name; });
-INSTANTIATE_TEST_SUITE_P(Field, Report, testing::ValuesIn(all_frames()),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Place, DepthAlone, testing::ValuesIn(frames_of_place()), name_of);
+INSTANTIATE_TEST_SUITE_P(AllDepth, DepthAlone, testing::ValuesIn(frames_of_depth()), name_of);
+INSTANTIATE_TEST_SUITE_P(AllPictures, DepthAlone, testing::ValuesIn(frames_of_depth_pictures()), name_of);
+INSTANTIATE_TEST_SUITE_P(AllPlace, Labels, testing::ValuesIn(frames_of_place()), name_of);
+INSTANTIATE_TEST_SUITE_P(Field, Report, testing::ValuesIn(all_frames()), name_of);
 
 }  // namespace
 }  // namespace zproof::field_reports

@@ -60,28 +60,38 @@ bool meets_square(const Neighbour& n, Projection projection, double half_side) {
     return box_of(n).meets({-half_side, -half_side, half_side, half_side});
 }
 
+/// The depth of the claimed triangle's plane at the pixel's centre.
+ReportedDepth centre_depth(const OtherWorld& world, const View& view, const Claim& claim) {
+    const CornersWorld p_world = corners_of(world.scene(), std::uint32_t(claim.answer.primitive));
+    const Neighbour n = neighbour_of(ViewRay<double>(view, claim.x, claim.y), world.bounds(), p_world);
+    return plane_depth(n, view.camera.projection, {0, 0});
+}
+
 /// Is the claim what a renderer says that draws a triangle wherever it touches the pixel's square, at the
 /// depth that its plane has at the centre?
 bool touches(OtherWorld& world, const View& view, const Claim& claim) {
+    const double depth = double(claim.answer.camera_depth);
+    const bool is_background = claim.answer.primitive == PrimitiveId::none;
+    if (is_background && claim.answer.camera_depth != background_depth) return false;
+    if (!is_background) {
+        const ReportedDepth own = centre_depth(world, view, claim);
+        if (!(own.low <= depth && depth <= own.high)) return false;
+    }
     const Neighbourhood around = world.around(claim, 1);
     const Projection projection = view.camera.projection;
     const double certain = half_pixel - around.eps_px, possible = half_pixel + around.eps_px;
     const auto depth_of = [&](const Neighbour& n) { return plane_depth(n, projection, {0, 0}); };
     const auto lies_within = [&](const Neighbour& n) {
-        const ReportedDepth depth = depth_of(n);
-        return depth.low > view.camera.near_depth && depth.high < view.camera.far_depth;
+        const ReportedDepth range = depth_of(n);
+        return range.low > view.camera.near_depth && range.high < view.camera.far_depth;
     };
-    const double depth = double(claim.answer.camera_depth);
     const bool is_hidden = std::ranges::any_of(around.neighbours, [&](const Neighbour& n) {
         return PrimitiveId(n.triangle) != claim.answer.primitive && lies_within(n) && !n.may_be_missing &&
                meets_square(n, projection, certain) && depth_of(n).high < depth;
     });
-    if (is_hidden) return false;
-    if (claim.answer.primitive == PrimitiveId::none) return claim.answer.camera_depth == background_depth;
+    if (is_hidden || is_background) return !is_hidden;
     const auto place = around.index_of(claim.answer.primitive);
-    if (!place || !meets_square(around.neighbours[*place], projection, possible)) return false;
-    const ReportedDepth own = depth_of(around.neighbours[*place]);
-    return own.low <= depth && depth <= own.high;
+    return place && meets_square(around.neighbours[*place], projection, possible);
 }
 
 Hypothesis over(const DiagnosisInput& input) {
@@ -92,11 +102,7 @@ Hypothesis over(const DiagnosisInput& input) {
          "Coverage asks for any part of the pixel's square instead of its centre.",
          "Look at the rasterizer's state: conservative coverage is on."},
         world, [world, view = input.view](const Claim& claim) { return touches(*world, view, claim); },
-        [world, view = input.view](const Claim& claim) {
-            const CornersWorld p_world = corners_of(world->scene(), std::uint32_t(claim.answer.primitive));
-            const ViewRay<double> ray(view, claim.x, claim.y);
-            return plane_depth(neighbour_of(ray, world->bounds(), p_world), view.camera.projection, {0, 0});
-        });
+        [world, view = input.view](const Claim& claim) { return centre_depth(*world, view, claim); });
     h.only_permits = true;  // of coplanar triangles that touch a pixel, any
     return h;
 }
