@@ -135,7 +135,7 @@ void tell_causes(const ContractTally& tally) {
     std::cout << "\n";
 }
 
-ExitCode conclusion(const ContractTally& tally) {
+ExitCode conclusion(const ContractTally& tally, const std::string& promise) {
     std::cout << counted(std::uint64_t(tally.pictures), "picture") << ": " << tally.wrong << " wrong, "
               << tally.missing << " missing. ";
     if (tally.pictures < tally.expected) {
@@ -147,9 +147,16 @@ ExitCode conclusion(const ContractTally& tally) {
         std::cout << "The contract is not kept; docs/renderer-contract.md says what a program must do.\n";
         return ExitCode::cannot_judge;
     }
-    std::cout << (tally.wrong == 0 ? "The contract is kept.\n"
-                                   : "The program answers, and not what it sees.\n");
-    return tally.wrong == 0 ? ExitCode::proven : ExitCode::defect;
+    if (tally.wrong == 0) {
+        std::cout << "The contract is kept.\n";
+        return ExitCode::proven;
+    }
+    std::cout << "The program answers, and not what it sees"
+              << (promise.empty()
+                      ? ", or its arithmetic is not what is taken for granted: --precision opengl "
+                        "or another (docs/presets.md).\n"
+                      : ".\n");
+    return ExitCode::defect;
 }
 
 }  // namespace
@@ -166,7 +173,7 @@ ExitCode execute(const ContractCheckArguments& arguments) {
         });
     }
     if (!arguments.common.is_quiet()) tell_causes(tally);
-    return conclusion(tally);
+    return conclusion(tally, arguments.renderer.precision_word);
 }
 
 }  // namespace zproof

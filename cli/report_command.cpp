@@ -54,6 +54,14 @@ std::vector<document::Document> studies_of(const ReportAgainArguments& arguments
     return studies;
 }
 
+/// Where more than one run is told of, each view has the command of its own.
+void hand_command_to_views(Results& run) {
+    for (ViewResult& view : run.views)
+        if (view.command.empty()) view.command = run.command;
+    run.command.clear();
+    run.argv.clear();
+}
+
 /// The views of all, one after the other; everything else is the first one's.
 Results all_of(const ReportAgainArguments& arguments, const fs::path& report_folder) {
     std::vector<Results> read;
@@ -68,6 +76,7 @@ Results all_of(const ReportAgainArguments& arguments, const fs::path& report_fol
     if (read.empty())
         throw UsageError{
             "report: expected the results of a run beside the studies, which have pages of their own"};
+    if (read.size() > 1) std::ranges::for_each(read, hand_command_to_views);
     Results results = std::move(read.front());
     for (std::size_t i = 1; i < read.size(); ++i)
         std::ranges::move(read[i].views, std::back_inserter(results.views));

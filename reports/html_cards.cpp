@@ -34,8 +34,7 @@ std::string differences(const ViewResult& v) {
 }
 
 std::string card_picture(const PageView& page) {
-    if (page.picture.empty()) return "<span class=\"no-picture\"></span>";
-    return "<img alt=\"\" src=\"" + page.picture + "\">";
+    return page.picture.empty() ? "" : "<img alt=\"\" src=\"" + page.picture + "\">";
 }
 
 std::string likely_cause(const ViewResult& v) {
@@ -52,18 +51,27 @@ std::string card(const PageView& page) {
            "</a>\n";
 }
 
-/// What the rings of the run's pictures mean.
+/// What the rings of the run's pictures mean; empty where there is none.
 std::string ring_legend(std::span<const PageView> pages) {
+    if (std::ranges::all_of(pages, &std::string::empty, &PageView::picture)) return "";
     ClassCounts all{};
     for (const PageView& page : pages)
         for (std::size_t i = 0; i < all.size(); ++i) all[i] += page.view->counts[i];
     std::string badges;
     for (std::size_t i = 1; i < all.size(); ++i)
         if (all[i] > 0) badges += " " + class_badge(PixelClass(i));
-    return "<p class=\"fine rings\">What the renderer saw, shaded by zproof" +
+    return "What the renderer saw, shaded by zproof" +
            (badges.empty() ? "."
-                           : ". A ring surrounds pixels that differ; its colour is their class:" + badges) +
-           "</p>\n";
+                           : ". A ring surrounds pixels that differ; its colour is their class:" + badges);
+}
+
+/// Why some have no picture.
+std::string without_pictures(std::span<const PageView> pages) {
+    const auto left_no_frames = [](const PageView& page) {
+        return was_judged(*page.view) && page.view->folder.empty();
+    };
+    if (std::ranges::none_of(pages, left_no_frames)) return "";
+    return " Views without a picture left no frames; --evidence all keeps them.";
 }
 
 }  // namespace
@@ -79,7 +87,8 @@ std::string html_cards(std::span<const PageView> pages) {
     if (pages.empty()) return "";
     std::string cards;
     for (const PageView& page : pages) cards += card(page);
-    return ring_legend(pages) + "<div id=\"cards\" class=\"cards\">\n" + cards + "</div>\n";
+    return "<p class=\"fine rings\">" + ring_legend(pages) + without_pictures(pages) +
+           "</p>\n<div id=\"cards\" class=\"cards\">\n" + cards + "</div>\n";
 }
 
 }  // namespace zproof

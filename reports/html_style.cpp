@@ -44,12 +44,11 @@ section { border-top: 1px solid var(--line); margin-top: 2.5rem; padding-top: 1.
   overflow-wrap: anywhere; border-radius: 4px;
 }
 .card:hover .name { text-decoration: underline; }
-.card img, .card .no-picture {
+.card img {
   display: block; width: 100%; aspect-ratio: 16 / 9;
   object-fit: contain; background: #000; border-radius: 3px;
   margin-bottom: 0.35rem;
 }
-.card .no-picture { background: var(--soft); }
 .card:has(.outcome:not(.proven)) img { box-shadow: 0 0 0 2px var(--defect); }
 .card .name { font-weight: 600; line-height: 1.3; }
 .card .outcome { font-size: 0.86rem; }

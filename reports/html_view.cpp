@@ -32,6 +32,7 @@ std::string facts(const ViewResult& v) {
     if (!v.candidate.empty()) text += " · " + escaped(v.candidate) + " against " + escaped(v.reference);
     if (v.width > 0) text += " · " + std::to_string(v.width) + " × " + std::to_string(v.height) + " pixels";
     if (v.triangles > 0) text += " · " + counted(v.triangles, "triangle");
+    if (!v.command.empty()) text += "<br>" + code(v.command);
     return "<p class=\"facts\">" + text + "</p>\n";
 }
 

@@ -342,6 +342,9 @@ inline constexpr auto fields<ViewResult> = std::tuple{
     field("expects", &ViewResult::expects,
           "classes of which its scene's views must have a pixel; absent where the suite expects none",
           {.presence = unless_empty}),
+    field("command", &ViewResult::command,
+          "of the run that judged it, as typed; absent where that is run.command",
+          {.since = "0.3", .presence = unless_empty}),
     field("shrunk", &ViewResult::shrunk,
           "a smaller scene that fails as this view does (docs/random.md); of the first random scene of "
           "each kind of failure",

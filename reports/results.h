@@ -130,6 +130,7 @@ struct ViewResult {
                                                     ///< of what stands for the whole scene
     std::vector<std::string> expects{};             ///< classes of which its scene's views must have a pixel
     std::string scene_sha256{};                     ///< sha256_of(Scene); empty where it was not read
+    std::string command{};                          ///< its own run's; empty: Results::command
     std::optional<ShrunkView> shrunk{};             ///< of a random scene that fails in a way of its own
 };
 

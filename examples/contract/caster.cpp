@@ -9,8 +9,9 @@ namespace zc = zproof_contract;
 /// Camera depth where the ray meets the triangle; infinity where it does not. Three Pluecker products decide.
 double hit(const zc::Ray& ray, const zc::Triangle& triangle) {
     const zc::Vec3 a = triangle[0] - ray.origin, b = triangle[1] - ray.origin, c = triangle[2] - ray.origin;
-    const double u = dot(cross(c - b, c + b), ray.direction), v = dot(cross(a - c, a + c), ray.direction),
-                 w = dot(cross(b - a, b + a), ray.direction);
+    const double u = dot(cross(c - b, c + b), ray.direction), v = dot(cross(a - c, a + c), ray.direction);
+    if ((u < 0 && v > 0) || (u > 0 && v < 0)) return zc::infinity;  // most triangles end here
+    const double w = dot(cross(b - a, b + a), ray.direction);
     if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return zc::infinity;
     const zc::Vec3 normal = cross(b - a, c - a);
     const double facing = dot(normal, ray.direction);
@@ -21,9 +22,10 @@ zc::Frame render(const std::vector<zc::Triangle>& triangles, const zc::Camera& c
     zc::Frame frame(camera.width, camera.height);
     for (int y = 0; y < camera.height; ++y)
         for (int x = 0; x < camera.width; ++x) {
+            const zc::Ray ray = camera.ray(x, y);
             double nearest = zc::infinity;
             for (std::size_t i = 0; i < triangles.size(); ++i) {
-                const double depth = hit(camera.ray(x, y), triangles[i]);
+                const double depth = hit(ray, triangles[i]);
                 if (depth < camera.near || depth > camera.far || depth >= nearest) continue;
                 nearest = depth;
                 frame.set(x, y, i, depth);

@@ -1,6 +1,7 @@
 """Verdicts: those of the program on the same arrays, with every class of defect planted."""
 
 import csv
+import html
 import json
 import subprocess
 import sys
@@ -304,8 +305,12 @@ def test_reports_of_many_verdicts_are_one(program, tmp_path):
     zproof.save_all({"good": planted(), "bad": planted((FRONT, 2, 4))}, tmp_path / "out")
     views = json.loads((tmp_path / "out/results.json").read_text())["views"]
     assert [(v["scene"], v["outcome"]) for v in views] == [("good", "proven"), ("bad", "defective")]
-    page = (tmp_path / "out/report.html").read_text()
+    page = html.unescape((tmp_path / "out/report.html").read_text())
     assert "good" in page and "bad" in page
+    for view in views:
+        name, command = view["scene"], view["command"]
+        assert command.startswith(f"zproof compare {name}-input/{name}.exr {name}-input/{name}.view.json ")
+        assert f"<code>{command}</code>" in page
 
 
 def test_a_report_never_replaces_a_folder_of_others(program, tmp_path):

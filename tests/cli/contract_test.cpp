@@ -52,6 +52,13 @@ TEST(Contract, ThePythonModuleRefusesIdsOfAnotherType) {
     EXPECT_NE(ran.out.find("expected 8 x 6 values of type uint32"), std::string::npos) << ran.out;
 }
 
+TEST(Contract, NamesThePromiseWhereAFrameIsWrongAndNothingWasPromised) {
+    const Folder folder;
+    const Ran ran = run(folder, {"contract-check", faulty("ids_from_one")});
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_NE(ran.out.find("--precision opengl or another (docs/presets.md)"), std::string::npos) << ran.out;
+}
+
 /// A frame that keeps the form of the contract and not its meaning.
 struct WrongFrame {
     const char* fault;

@@ -170,6 +170,17 @@ TEST_F(Gate, MakesReportsAgainFromResults) {
     EXPECT_EQ(run(folder, {"report", "nowhere"}).exit_code, 3);
 }
 
+TEST_F(Gate, GivesEachViewTheCommandOfItsRunWhereAReportIsOfMany) {
+    ASSERT_EQ(judged({"-o", "a"}).exit_code, 1);
+    ASSERT_EQ(judged({"-o", "b"}).exit_code, 1);
+    ASSERT_EQ(run(folder, {"report", "a", "b", "-o", "both.json"}).exit_code, 0);
+    const json both = json::parse(folder.read("both.json"));
+    const auto command_of = [&](const std::string& one) { return results_in(folder, one)["run"]["command"]; };
+    EXPECT_EQ(both["run"]["command"], "");
+    EXPECT_EQ(both["views"].front()["command"], command_of("a"));
+    EXPECT_EQ(both["views"].back()["command"], command_of("b"));
+}
+
 TEST_F(Gate, SaysWhatBecameWorse) {
     ASSERT_EQ(judged({"-o", "bad"}).exit_code, 1);
     const Words good{"run",      "room", "--width",  "96",   "--height", "64",

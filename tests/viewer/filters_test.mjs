@@ -205,6 +205,93 @@ describe('a picture with a claim', () => {
     });
 });
 
+describe('the look of a study', () => {
+    const sized = (width, hash = '') => open('#view=worked-phi-45&method=trilinear-gl' + hash, {viewport: {width, height: 900}});
+    const texts = (page, selector) => page.$$eval(selector, (all) => all.map((one) => [one.textContent, one.scrollWidth > one.clientWidth]));
+
+    it('cuts no column of the worst pixels and no value of a pane', async () => {
+        for (const width of [1600, 1400, 1280, 1000]) {
+            const page = await sized(width, '&x=48&y=50');
+            assert.deepEqual((await texts(page, '#viewer .worst-box')).map(([, isCut]) => isCut), [false], `${width} px`);
+            assert.deepEqual((await texts(page, '#viewer .pane-value')).filter(([, isCut]) => isCut), [], `${width} px`);
+            await page.close();
+        }
+        const coloured = await open('#view=tunnel-aside&method=nearest&x=48&y=50', {viewport: {width: 1400, height: 900}});
+        assert.deepEqual((await texts(coloured, '#viewer .pane-value')).filter(([text, isCut]) => isCut || text.split(' ').length !== 3), []);
+        await coloured.close();
+    });
+
+    it('fits a narrow window, bar and panes', async () => {
+        const page = await sized(390);
+        const right = await page.$$eval('#viewer .bar > *, #viewer .pane', (all) => Math.max(...all.map((one) => one.getBoundingClientRect().right)));
+        assert.equal(right <= 390, true, `${right} px`);
+        await page.close();
+    });
+
+    /// What is drawn since a canvas was last cleared: labels of ticks as [which canvas, x, half of the width], and lines.
+    const watched = async (hash) => {
+        const page = await browser.newPage({viewport: {width: 1400, height: 900}});
+        await page.addInitScript(() => {
+            window.labels = [];
+            window.lines = new Map();
+            const {fillText, clearRect, lineTo, putImageData} = CanvasRenderingContext2D.prototype;
+            Object.assign(CanvasRenderingContext2D.prototype, {
+                fillText(text, x, y) {
+                    if (this.canvas.className === 'histogram' && this.textAlign === 'center')
+                        window.labels.push([this.canvas, x, this.measureText(text).width / 2]);
+                    fillText.call(this, text, x, y);
+                },
+                clearRect(...where) {
+                    window.labels = window.labels.filter(([canvas]) => canvas !== this.canvas);
+                    clearRect.apply(this, where);
+                },
+                lineTo(...to) {
+                    if (this.canvas.closest('.pane')) window.lines.set(this.canvas, window.lines.get(this.canvas) + 1);
+                    lineTo.apply(this, to);
+                },
+                putImageData(...what) {
+                    window.lines.set(this.canvas, 0);
+                    putImageData.apply(this, what);
+                },
+            });
+        });
+        await page.goto(`file://${study}/filters.html#view=worked-phi-45&method=trilinear-gl${hash}`);
+        await viewerShows(page);
+        return page;
+    };
+
+    it('has a key of colours for errors, and labels of ticks apart', async () => {
+        const page = await watched('');
+        const gaps = await page.evaluate(() => window.labels.flatMap(([canvas, x, half], i) => {
+            const [before, left, width] = window.labels[i - 1] ?? [];
+            return before === canvas ? [x - half - left - width] : [];
+        }));
+        assert.equal(gaps.length >= 3 && Math.min(...gaps) >= 2, true, `${gaps}`);
+        const heads = await page.$$eval('#viewer .pane', (panes) => panes.map((pane) => [
+            pane.querySelector('select').selectedOptions[0].textContent, pane.querySelector('.colour-key').textContent]));
+        assert.deepEqual(heads, [['trilinear-gl', ''], ['truth', ''], ['trilinear-gl − truth', 'darkerbrighter'], ['nearest', '']]);
+        await page.close();
+    });
+
+    it('draws no line through the numbers of pixels', async () => {
+        const linesAt = async (zoom) => {
+            const page = await watched(`&x=48&y=50&zoom=${zoom}`);
+            const lines = await page.evaluate(() => [...window.lines].filter(([canvas]) => canvas.closest('.pane')).map(([, count]) => count));
+            await page.close();
+            return lines;
+        };
+        assert.deepEqual(await linesAt(12), [8, 8, 8, 8]);
+        assert.deepEqual(await linesAt(40), [0, 0, 0, 0]);
+    });
+
+    it('leaves out the list where there is one view', async () => {
+        const page = await openReport(browser, claims, '#view=worked-phi-45', {}, 'filters.html');
+        assert.equal(await page.isVisible('#viewer .scenes'), false);
+        assert.equal((await page.locator('#viewer .stage').boundingBox()).x, 0);
+        await page.close();
+    });
+});
+
 describe('the keys of a study', () => {
     it('N goes to the worst pixel of all, U after U by falling error', async () => {
         const errors = errorsOf('trilinear-gl'), page = await open('#view=worked-phi-45&method=trilinear-gl');

@@ -36,6 +36,15 @@ describe('the page', () => {
         await page.close();
     });
 
+    it('has no empty boxes of views that left no frames, and says why', async () => {
+        const random = join(folder, 'random');
+        zproof(0, 'run', '--random', '2', '--oracle', 'none', '-o', random);
+        const page = await openReport(browser, random);
+        assert.deepEqual(await page.$$eval('#cards > a > :first-child', (all) => all.map((one) => one.className)), ['name', 'name']);
+        assert.equal(await page.textContent('p.rings'), ' Views without a picture left no frames; --evidence all keeps them.');
+        await page.close();
+    });
+
     it('shows the cards and the table without scripts', async () => {
         const page = await openReport(browser, run, '', {javaScriptEnabled: false});
         assert.equal(await page.locator('#cards > a img').count(), results().views.length);

@@ -26,7 +26,7 @@ export class Cards {
 
     private card(view: JudgedView, picture?: string): HTMLElement {
         return element('a', {class: 'card', href: '#' + view.anchor},
-            picture ? element('img', {src: picture, alt: ''}) : element('span', {class: 'no-picture'}),
+            picture && element('img', {src: picture, alt: ''}),
             element('span', {class: 'name'}, view.scene + ' ', element('span', {class: 'view'}, view.view)),
             element('span', {class: 'outcome ' + view.outcome}, `${outcomeMarks[view.outcome]} ${outcomeInWords(view)}`),
             element('span', {class: 'fine'}, view.row ? this.differences(view) : view.message), view.cause && element('span', {}, view.cause));

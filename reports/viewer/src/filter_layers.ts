@@ -4,11 +4,12 @@ import {encoded, errorPalette, fromHex, ground, noNumber, packed, viridis} from 
 import {claimPlanesOf} from './filter_claim';
 import {asFloats, codeOf, planesOf} from './filter_view';
 import type {FilterView} from './filter_view';
-import type {Layer, Painted} from './layers';
+import type {ColourKey, Layer, Painted} from './layers';
 import {rounded} from './numbers';
 import type {Planes} from './planes';
 
-function triple(channels: Channels, p: number): string { return channels.map((c) => rounded(c[p])).join(' '); }
+/// Of greys one number.
+function triple(numbers: string[]): string { return new Set(numbers).size === 1 ? numbers[0] : numbers.join(' '); }
 
 function pictureLayer(id: string, title: string, needs: string[], channels: () => Promise<Channels | null>): Layer {
     return {
@@ -16,7 +17,7 @@ function pictureLayer(id: string, title: string, needs: string[], channels: () =
         async paint() {
             const [r, g, b] = (await channels())!;
             const at = (p: number) => Number.isFinite(r[p] + g[p] + b[p]) ? packed(encoded(r[p]), encoded(g[p]), encoded(b[p])) : noNumber;
-            return {colour: at, text: (p) => triple([r, g, b], p) + ' (linear)', label: (p) => rounded((r[p] + g[p] + b[p]) / 3), bits: at};
+            return {colour: at, text: (p) => triple([r, g, b].map((c) => rounded(c[p]))), label: (p) => rounded((r[p] + g[p] + b[p]) / 3), bits: at};
         },
     };
 }
@@ -29,11 +30,14 @@ function loudness(code: number): number { return Math.min(1, Math.max(0, (code -
 const magnitudePalette = Uint32Array.from({length: 256}, (_, code) =>
     code <= 1 ? ground : viridis[Math.round(255 * (0.08 + 0.92 * loudness(code)))]);
 
+const magnitudeKey: ColourKey = {
+    from: '1/1000', colours: [leastCode, leastCode + 10, leastCode + 20, leastCode + 30, codeOfOne].map((code) => magnitudePalette[code]), to: '1'};
+
 export function magnitudeCodes(errors: Float32Array): Uint8Array { return Uint8Array.from(errors, (e) => e === 0 ? 0 : codeOf(e)); }
 
 function magnitudeLayer(view: FilterView, id: string, method: string): Layer {
     return {
-        id, title: `|${method} − truth|`, needs: planesOf(method),
+        id, title: `|${method} − truth|`, needs: planesOf(method), key: magnitudeKey,
         async paint() {
             await view.need(method);
             const errors = view.errors(method)!, values = magnitudeCodes(errors);
@@ -51,6 +55,8 @@ const signedPalette = Uint32Array.from({length: 256}, (_, code) => {
         : packed(Math.round(70 + 185 * t), Math.round(40 + 110 * t), dark);
 });
 
+const signedKey: ColourKey = {from: 'darker', colours: [163, 83, 0, 82, 162].map((code) => signedPalette[code]), to: 'brighter'};
+
 /// The difference of the channel that is farthest off.
 function worstDifference(picture: Channels, truth: Channels, p: number): number {
     let worst = 0;
@@ -63,7 +69,7 @@ function worstDifference(picture: Channels, truth: Channels, p: number): number 
 
 function signedLayer(view: FilterView, id: string, method: string): Layer {
     return {
-        id, title: `${method} − truth: orange brighter, blue darker`, needs: planesOf(method),
+        id, title: `${method} − truth`, needs: planesOf(method), key: signedKey,
         async paint() {
             await view.need(method);
             const picture = view.picture(method)!, truth = view.truth!;
@@ -72,7 +78,7 @@ function signedLayer(view: FilterView, id: string, method: string): Layer {
                 const difference = at(p);
                 return difference === 0 ? 0 : 2 * Math.round(1 + 80 * loudness(codeOf(Math.abs(difference)))) + (difference < 0 ? 1 : 0);
             });
-            const signs = (p: number) => picture.map((c, i) => signed(c[p] - truth[i][p])).join(' ');
+            const signs = (p: number) => triple(picture.map((c, i) => signed(c[p] - truth[i][p])));
             return {colour: (p) => signedPalette[values[p]], text: signs, label: (p) => signed(at(p)), bits: (p) => values[p],
                     severity: {values, palette: signedPalette, dotted: 256}};
         },
@@ -123,7 +129,7 @@ function outsideLayer(view: FilterView, id: string, method: string): Layer {
 function flipLayer(id: string, method: string): Layer {
     const plane = `method.${method}.flip`;
     return {
-        id, title: `FLIP of ${method}`, needs: [plane],
+        id, title: `FLIP of ${method}`, needs: [plane], key: {from: '0', colours: [0, 64, 128, 192, 255].map((code) => viridis[code]), to: '1'},
         async paint(planes) {
             const values = await planes.bytes(plane), words = (p: number) => rounded(values[p] / 255);
             return {colour: (p) => viridis[values[p]], text: words, label: words, bits: (p) => values[p],

@@ -99,7 +99,7 @@ export function filterStudyOf(study: Study, stage: Stage): Subject {
         inspector: new FilterInspector(choice, (planes) => open?.planes === planes ? open : null,
             (text, what) => void stage.notice.copy(text, what), stage.link, walk),
         walk, drawer, tools: methods.root, entries: entryStyle,
-        facts: (view) => `GT-${study.truth}, ${view.width} × ${view.height}`,
+        facts: (view) => `truth GT-${study.truth}, ${view.width} × ${view.height}`,
         async open(planes: Planes) {
             if (open?.planes !== planes) {
                 const view = new FilterView(planes);
@@ -113,7 +113,8 @@ export function filterStudyOf(study: Study, stage: Stage): Subject {
         atOnce: () => ['half_width', 'major', 'minor', 'lod'],
         later: (planes) => [`method.${choice.method}.flip`].filter((name) => planes.has(name)),
         place: () => ({method: choice.method, other: choice.other}),
-        follow: (place) => methods.set(place.method ?? choice.method, place.other ?? choice.other),
+        follow: ({method = choice.method, other}) =>
+            methods.set(method, other ?? (method === choice.other ? choice.method : choice.other)),
         keys: [['G / B', 'next / previous method', {g: () => methods.step(1), b: () => methods.step(-1)}],
                ['I', 'swap both methods', {i: () => methods.swap()}]],
     };

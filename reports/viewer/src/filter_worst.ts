@@ -32,7 +32,7 @@ export class RegionTable {
         if (!rows.length) return replaceChildren(this.root, element('p', {class: 'quiet'}, 'No pixel is in the filter.'));
         replaceChildren(this.root, element('table', {class: 'clusters sortable'},
             element('thead', {}, element('tr', {}, ...['region', 'pixels', 'worst error', 'at'].map((title, i) =>
-                element('th', {class: i === 1 || i === 2 ? 'n' : ''}, title)))),
+                element('th', {class: ['', 'n pixels', 'n', ''][i]}, title)))),
             element('tbody', {}, ...rows.map((row) => this.row(view, method, row)))),
             element('p', {class: 'fine'}, `The worst pixels of ${method}, region by region; ● has a stored inspection.`));
         makeTablesSortable(this.root);
@@ -43,7 +43,7 @@ export class RegionTable {
         return element('tr', {tabindex: 0, onclick: () => this.go(row.pixel),
                               onkeydown: (event: KeyboardEvent) => { if (event.key === 'Enter') this.go(row.pixel); }},
             element('td', {'data-key': row.region}, view.header.regions[row.region].name),
-            element('td', {class: 'n'}, grouped(row.pixels)),
+            element('td', {class: 'n pixels'}, grouped(row.pixels)),
             element('td', {class: 'n', 'data-key': row.error}, rounded(row.error)),
             element('td', {}, `${x}, ${y}`, view.inspection(row.pixel, method) ? ' ●' : ''));
     }

@@ -112,9 +112,12 @@ export class Histogram {
         context.globalAlpha = 1;
         context.textAlign = 'center';
         context.fillStyle = styleColour('--quiet');
+        let free = 0;  // from here on, no label stands yet
         counts.forEach((_, bin) => {
-            const tick = this.bins!.tick(bin);
-            if (tick && x(bin) < right - 8 * scale) context.fillText(tick, x(bin), height - 4 * scale);
+            const tick = this.bins!.tick(bin), half = context.measureText(tick).width / 2;
+            if (!tick || x(bin) - half < free || x(bin) + half > width) return;
+            context.fillText(tick, x(bin), height - 4 * scale);
+            free = x(bin) + half + 4 * scale;
         });
         if (bound !== undefined) {
             context.fillStyle = styleColour('--defect');

@@ -33,6 +33,7 @@ export class Pane {
         const ticket = ++this.wanted;
         this.layer = layer;
         this.choice.value = layer.id;
+        this.choice.title = layer.title;
         this.canvas.setAttribute('aria-label', layer.title);
         this.tellColours(layer.key);
         const missing = layer.needs.filter((name) => !planes.has(name));
@@ -80,7 +81,7 @@ export class Pane {
         context.putImageData(image, 0, 0);
         this.overlay(context, frame, painted, look, wipe ? null : scale);
         if (wipe) drawDivider(context, Math.round(wipe.at * width), height);
-        this.value.textContent = look.hasCross ? painted.text(look.cross) : '';
+        this.value.textContent = this.value.title = look.hasCross ? painted.text(look.cross) : '';
     }
 
     private fill(out: Uint32Array, frame: Frame, planes: Planes, painted: Painted, selection: Selection | null,
@@ -115,8 +116,9 @@ export class Pane {
                     labels: number | null): void {
         if (look.zoom >= gridFrom) drawGrid(context, frame, this.planes!, look.zoom);
         if (painted.outlines && look.zoom >= outlinesFrom) drawOutlines(context, frame, this.planes!, painted.outlines);
-        if (labels !== null && look.zoom >= labelsFrom) drawLabels(context, frame, this.planes!, painted, labels);
-        if (look.hasCross) drawCross(context, frame, look, frame.perPixel / look.zoom);
+        const hasLabels = labels !== null && look.zoom >= labelsFrom, scale = frame.perPixel / look.zoom;
+        if (hasLabels) drawLabels(context, frame, this.planes!, painted, labels);
+        if (look.hasCross) drawCross(context, frame, look, scale, hasLabels ? 'square' : 'lines');
     }
 
     differenceFrom(other: Pane): Painted | null {
@@ -180,7 +182,8 @@ function drawLabels(context: CanvasRenderingContext2D, frame: Frame, planes: Pla
         }
 }
 
-function drawCross(context: CanvasRenderingContext2D, frame: Frame, look: Look, scale: number): void {
+/// 'square': without the lines, which would run through the pixels' numbers.
+function drawCross(context: CanvasRenderingContext2D, frame: Frame, look: Look, scale: number, shape: 'square' | 'lines'): void {
     const side = Math.max(frame.perPixel, 7 * scale);
     const x = (look.crossX + 0.5 - frame.left) * frame.perPixel, y = (look.crossY + 0.5 - frame.top) * frame.perPixel;
     const half = side / 2 + scale;
@@ -188,6 +191,7 @@ function drawCross(context: CanvasRenderingContext2D, frame: Frame, look: Look, 
         context.strokeStyle = colour;
         context.lineWidth = wide;
         context.strokeRect(x - half, y - half, 2 * half, 2 * half);
+        if (shape === 'square') continue;
         context.beginPath();
         for (const [fromX, fromY, toX, toY] of [[x, 0, x, y - half], [x, y + half, x, frame.height],
                                                 [0, y, x - half, y], [x + half, y, frame.width, y]]) {

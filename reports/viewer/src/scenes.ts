@@ -25,6 +25,7 @@ export class SceneList {
             if (event.key === 'Escape') { this.search.value = ''; this.fill(); this.search.blur(); }
         });
         style.chips.forEach((_, i) => this.chips.append(this.chip(i)));
+        this.root.hidden = views.length === 1;
         this.fill();
     }
 
