@@ -30,6 +30,12 @@ class GivenFrame : public testing::Test {
         return labels;
     }
 
+    static std::string told(const Explanation& e) {
+        return e.name + ": " + std::to_string(e.explained) + " of " + std::to_string(e.asked) +
+               ", against it " + std::to_string(e.contradicted) + " of " + std::to_string(e.checked) +
+               ", spared " + std::to_string(e.saved_share);
+    }
+
     std::string cause_of(const Frame& said, const FrameAsGiven& given) const {
         const Precision precision = rasterizer::precision();
         const Frame triangles = given.said ? with_triangles(loaded_.scene, view_, {said, precision},
@@ -39,7 +45,9 @@ class GivenFrame : public testing::Test {
         const auto diagnosis =
             diagnose(loaded_.scene, view_, ours, theirs, judge(loaded_.scene, view_, ours, theirs), given);
         if (!diagnosis) return "no defect";
-        return diagnosis->cause ? diagnosis->cause->name : "none";
+        if (diagnosis->cause) return diagnosis->cause->name;
+        return "none, at best " +
+               (diagnosis->runners_up.empty() ? "nothing" : told(diagnosis->runners_up.front()));
     }
 
     std::string cause_of_labels(const std::function<std::uint32_t(std::uint32_t)>& told) const {

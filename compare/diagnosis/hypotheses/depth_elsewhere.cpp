@@ -241,9 +241,10 @@ std::vector<Hypothesis> read_with_other_planes(const DiagnosisInput& input) {
 
 /// The planes between which the candidate shows anything.
 std::vector<Hypothesis> clipped_elsewhere(const DiagnosisInput& input) {
+    const bool is_perspective = input.view.camera.projection == Projection::perspective;
     double nearest = no_limit, farthest = -no_limit;
     for (const float depth : input.candidate.frame.camera_depth.pixels()) {
-        if (!std::isfinite(depth)) continue;
+        if (!std::isfinite(depth) || (depth <= 0 && is_perspective)) continue;
         nearest = std::min(nearest, double(depth));
         farthest = std::max(farthest, double(depth));
     }

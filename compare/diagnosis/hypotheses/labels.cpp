@@ -73,9 +73,12 @@ std::vector<Hypothesis> renamed(const DiagnosisInput& input) {
          "A label stands for another wherever it occurs: " + renamed_text(changed) + ".",
          is_exchange ? "Look at the order in which objects or materials are numbered."
                      : "Look at where labels come from: the file, the names that are hashed, the export."},
-        [changed](std::uint32_t label) -> std::optional<std::uint32_t> {
+        [changed, back](std::uint32_t label) -> std::optional<std::uint32_t> {
             const auto found = changed.find(label);
-            return found == changed.end() ? label : found->second;
+            if (found != changed.end()) return found->second;
+            const auto other = back.find(label);  // another number stands for this one
+            const bool is_renamed = other != back.end() && changed.contains(other->second);
+            return is_renamed ? std::nullopt : std::optional(label);
         });
     h.learned_bits = 2 * double(changed.size()) * bits_of_an_id(input);
     return {h};
@@ -135,6 +138,7 @@ std::vector<Hypothesis> of_background(const DiagnosisInput& input) {
     h.learned_bits = bits_of_a_number;
     h.restate = [depth, is_nan](Claim claim) -> std::optional<Claim> {
         const float own = claim.answer.camera_depth;
+        if (own == background_depth) return std::nullopt;
         if (is_nan ? std::isnan(own) : own == depth) claim.answer = {PrimitiveId::none, background_depth};
         return claim;
     };
