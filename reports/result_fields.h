@@ -145,6 +145,9 @@ inline constexpr auto fields<Explanation> = std::tuple{
     field("checked", &Explanation::checked),
     field("spared", &Explanation::saved_share,
           "of what it takes to tell the defects: the share that the hypothesis spares", {.since = "0.3"}),
+    field("fitted", &Explanation::fitted,
+          "the number that it fitted to the frames, as a clause: \"depth is told times 1.1\"",
+          {.presence = unless_empty}),
 };
 
 template <>

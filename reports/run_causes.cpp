@@ -12,7 +12,8 @@ std::vector<RunCause> run_causes(const Results& results) {
         if (view.outcome != Outcome::defective || !view.diagnosis || !view.diagnosis->cause) continue;
         const Explanation& cause = *view.diagnosis->cause;
         auto known = std::ranges::find(causes, cause.name, &RunCause::name);
-        if (known == causes.end()) known = causes.insert(known, {cause.name, cause.look_at});
+        if (known == causes.end()) known = causes.insert(known, {cause.name, cause.look_at, cause.fitted});
+        if (known->fitted != cause.fitted) known->fitted.clear();
         ++known->views;
     }
     std::ranges::stable_sort(causes, std::greater{}, &RunCause::views);
@@ -32,7 +33,8 @@ std::string in_words(const std::vector<RunCause>& causes, std::uint64_t failed_v
             ? (failed_views == 1 ? "Likely cause"
                                  : "Likely cause of all " + counted(failed_views, "failed view"))
             : "Likely cause of " + grouped(first.views) + " of " + counted(failed_views, "failed view");
-    return of + ": " + first.name + "." + (first.look_at.empty() ? "" : " " + first.look_at);
+    return of + ": " + first.name + (first.fitted.empty() ? "." : ": " + first.fitted + ".") +
+           (first.look_at.empty() ? "" : " " + first.look_at);
 }
 
 }  // namespace zproof

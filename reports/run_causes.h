@@ -12,6 +12,7 @@ namespace zproof {
 struct RunCause {
     std::string name;     ///< as the views' diagnoses name it: "the image is flipped in y"
     std::string look_at;  ///< where in a renderer's code to look first, a sentence; may be empty
+    std::string fitted;   ///< the number that all of its views fit; empty where they differ
     std::uint64_t views = 0;
 };
 

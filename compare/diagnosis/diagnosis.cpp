@@ -1,6 +1,7 @@
 #include "compare/diagnosis/diagnosis.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <span>
 #include <tuple>
@@ -71,6 +72,13 @@ bool is_better(const HypothesisTest& a, const HypothesisTest& b) {
     return std::pair{a.suffices(), a.saved_bits} > std::pair{b.suffices(), b.saved_bits};
 }
 
+/// "Depth is told times 1.1." as a clause.
+std::string clause_of(std::string sentence) {
+    sentence.front() = char(std::tolower(std::uint8_t(sentence.front())));
+    sentence.pop_back();
+    return sentence;
+}
+
 class Diagnoser {
   public:
     Diagnoser(const DiagnosisInput& input, const Verdict& verdict, std::span<const std::string> without)
@@ -121,7 +129,12 @@ class Diagnoser {
             const Hypothesis& h = hypotheses_[i];
             const auto& [name, description, look_at] = h.cause;
             if (may_apply(h))
-                tests.push_back({&h, i, {.name = name, .description = description, .look_at = look_at}});
+                tests.push_back({&h,
+                                 i,
+                                 {.name = name,
+                                  .description = description,
+                                  .look_at = look_at,
+                                  .fitted = h.fits_a_limit ? clause_of(description) : ""}});
         }
         return tests;
     }

@@ -24,6 +24,8 @@ struct Explanation {
     /// How many explained defects are those at which the right answer would be admissible under it as well:
     /// it permits them, and does not make them.
     std::uint64_t permitted = 0;
+    std::string
+        fitted{};  ///< what it fitted to the frames, as a clause: "depth is told times 1.1"; may be empty
 };
 
 struct Diagnosis {

@@ -136,6 +136,15 @@ TEST(Diagnosis, TellsTruncationFromFewerBits) {
                  "vertices are snapped up and left");
 }
 
+TEST(Diagnosis, TellsTheNumberThatItFitted) {
+    const DiagnosisFixture fixture("room", 0);
+    Frame frame = fixture.drawn_by(rasterizer::correct_rules);
+    for (float& depth : frame.camera_depth.pixels()) depth *= 1.125f;
+    const auto diagnosis = fixture.diagnosis_of(frame);
+    expect_cause(diagnosis, "depth is scaled by a constant");
+    EXPECT_EQ(diagnosis->cause->fitted.substr(0, 25), "depth is told times 1.125");
+}
+
 TEST(Diagnosis, CountsWhatWasAsked) {
     const DiagnosisFixture fixture("room", 0);
     const auto few = fixture.diagnosis_of(faulty(fixture, "row_lost"));

@@ -132,6 +132,7 @@ TEST(Json, KeepsEveryBitOfHardNumbers) {
     EXPECT_EQ(room.reference_edges.max_error_over_bound, 0.25);
     EXPECT_EQ(room.diagnosis->cause->name, "a row is <lost>");
     EXPECT_EQ(room.diagnosis->runners_up.at(0).checked, 1000u);
+    EXPECT_EQ(room.diagnosis->further.at(0).fitted, "1 of <16>");
     EXPECT_FALSE(back.views[0].diagnosis);
     EXPECT_EQ(back.views[2].scene, hostile_name);
     EXPECT_EQ(back.views[3].outcome, Outcome::not_judged);

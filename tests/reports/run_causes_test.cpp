@@ -38,6 +38,15 @@ TEST(RunCauses, AreNotThoseOfWaivedViews) {
     EXPECT_EQ(run_causes(results)[0].name, "b");
 }
 
+TEST(RunCauses, SayTheNumberThatAllTheirViewsFit) {
+    Results results = run_of({"a", "a"});
+    for (ViewResult& view : results.views) view.diagnosis->cause->fitted = "told times 1.1";
+    EXPECT_EQ(in_words(run_causes(results), 2),
+              "Likely cause of all 2 failed views: a: told times 1.1. Look.");
+    results.views[1].diagnosis->cause->fitted = "told times 1.2";
+    EXPECT_EQ(in_words(run_causes(results), 2), "Likely cause of all 2 failed views: a. Look.");
+}
+
 TEST(RunCauses, SayHowManyViewsTheyExplain) {
     EXPECT_EQ(in_words(run_causes(run_of({"a", "a"})), 2), "Likely cause of all 2 failed views: a. Look.");
     EXPECT_EQ(in_words(run_causes(run_of({"a"})), 1), "Likely cause: a. Look.");

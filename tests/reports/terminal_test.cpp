@@ -50,7 +50,7 @@ TEST(Terminal, TellsTheLikelyCause) {
     EXPECT_NE(
         summary_table(results, {})
             .find("    2 hole\n    likely cause: a row is <lost> (explains 100% of 2 defects); of what it "
-                  "leaves: a <tile> is lost (explains 100%). Look at <rows>.\n"),
+                  "leaves: a <tile> is lost: 1 of <16> (explains 100%). Look at <rows>.\n"),
         std::string::npos);
     results.views[1].diagnosis->runners_up[0].saved_share = 0.87;
     EXPECT_NE(summary_table(results, {}).find("; as good: only 4 sub-pixel bits;"), std::string::npos);
