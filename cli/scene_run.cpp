@@ -198,7 +198,8 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
     std::optional<Diagnosis> diagnosis;
     const auto judge_and_diagnose = [&] {
         verdict = judge_as_wanted(view_run, ours, theirs);
-        diagnosis = diagnose(scene, view, ours, theirs, verdict);
+        if (config.diagnosis == CauseSearch::done)
+            diagnosis = diagnose(scene, view, ours, theirs, verdict, {}, config.causes.earlier());
     };
     if (!done_uninterrupted(judge_and_diagnose)) return std::nullopt;
     const bool is_whole = leaves_evidence(verdict, config.evidence);
@@ -282,6 +283,7 @@ class Record {
     void add(ViewResult result) {
         config_.progress.tell(result);
         config_.early_end.note(result);
+        config_.causes.note(result);
         results_.push_back(std::move(result));
     }
 

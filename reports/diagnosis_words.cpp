@@ -20,9 +20,10 @@ std::string named(const Explanation& e) { return e.fitted.empty() ? e.name : e.n
 
 namespace {
 
-/// Does another cause spare as much, so that the frame does not tell which it is?
+/// Does another cause explain and spare as much, so that the frame does not tell which it is?
 bool is_alike(const Explanation& cause, const Explanation& other) {
-    return cause.saved_share > 0 && other.saved_share > cause.saved_share - alike_shares;
+    return cause.saved_share > 0 && other.saved_share > cause.saved_share - alike_shares &&
+           explained_share(other) > explained_share(cause) - alike_shares;
 }
 
 /// "likely cause: A (explains ...); as good: B; of what it leaves: C (explains ...). Look at ..."

@@ -24,6 +24,8 @@ struct Explanation {
     /// How many explained defects are those at which the right answer would be admissible under it as well:
     /// it permits them, and does not make them.
     std::uint64_t permitted = 0;
+    double saved_bits =
+        0;  ///< what it spares, in bits: by this much the view votes for it (docs/diagnosis.md)
     std::string
         fitted{};  ///< what it fitted to the frames, as a clause: "depth is told times 1.1"; may be empty
 };
@@ -33,6 +35,12 @@ struct Diagnosis {
     std::optional<Explanation> cause;     ///< nothing: none is named
     std::vector<Explanation> further;     ///< causes of the defects that it does not explain, at most 2
     std::vector<Explanation> runners_up;  ///< of the first cause, at most 3, the best first
+};
+
+/// What explained earlier views of a run.
+struct EarlierCause {
+    std::string name;
+    double saved_bits = 0, all_bits = 0;  ///< over these views: what it spares, of what the defects take
 };
 
 /// Shares of what is spared that differ by less are alike: they are known from samples of a thousand pixels.
@@ -46,9 +54,11 @@ double explained_share(const Explanation& explanation);
 /// frame by three quarters of what the defects take, with further causes of what it leaves, where there are
 /// some (docs/diagnosis.md, "Named, or not"). Nothing without defects. Deterministic for any number of
 /// threads; frames as judge() wants them. `without`: names of hypotheses that are left out, to learn what is
-/// said of a cause that nobody thought of.
+/// said of a cause that nobody thought of. `earlier`: asked before all others, and alone where one of them
+/// explains this view too.
 std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
                                   const RenderedFrame& reference, const Verdict& verdict,
-                                  std::span<const std::string> without = {});
+                                  std::span<const std::string> without = {},
+                                  std::span<const EarlierCause> earlier = {});
 
 }  // namespace zproof

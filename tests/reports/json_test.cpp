@@ -138,6 +138,20 @@ TEST(Json, KeepsEveryBitOfHardNumbers) {
     EXPECT_EQ(back.views[3].outcome, Outcome::not_judged);
 }
 
+TEST(Json, TellsTheCausesOfTheRunAndWhetherTheyWereSought) {
+    Results results = sample_results();
+    results.diagnosis = CauseSearch::left_out;
+    results.views[1].diagnosis->cause->saved_bits = 56;
+    const Json root = Json::parse(to_json(results));
+    EXPECT_EQ(root.at("/causes/0/name"_json_pointer), "a row is <lost>");
+    EXPECT_EQ(root.at("/causes/0/views"_json_pointer), 1);
+    EXPECT_EQ(root.at("/causes/0/spared_bits"_json_pointer), 56);
+    EXPECT_EQ(root.at("/run/diagnosis"_json_pointer), false);
+    const Results back = results_from_json(to_json(results));
+    EXPECT_EQ(back.diagnosis, CauseSearch::left_out);
+    EXPECT_EQ(back.views[1].diagnosis->cause->saved_bits, 56);
+}
+
 TEST(Json, HasAHistogramOnlyWhereSomethingWasCounted) {
     const Json view = Json::parse(to_json(sample_results())).at("/views/0"_json_pointer);
     EXPECT_EQ(view.at("candidate_depth").at("histogram").at(0), 1'234'567);
@@ -222,7 +236,7 @@ TEST(Json, RefusesWhatItCannotMean) {
 /// Of no use to the reader: sums of what stands elsewhere, and a declaration, which it keeps as text.
 bool is_passed_over(const std::string& place) {
     const auto has = [&](const char* part) { return place.find(part) != std::string::npos; };
-    return has("/precision/") || place.starts_with("/summary/") ||
+    return has("/precision/") || place.starts_with("/summary/") || place.starts_with("/causes/") ||
            (place.ends_with("/defects") && !has("/diagnosis/"));
 }
 
