@@ -61,19 +61,50 @@ AttributeCheck::AttributeCheck(const Scene& scene, const View& view, const Frame
 std::optional<WrongAttribute> AttributeCheck::first_wrong(const PixelCoord& pixel) const {
     const auto id = std::uint32_t(frame_.primitive.at(pixel.x, pixel.y));
     if (judged_.empty() || id >= scene_.triangles.size()) return std::nullopt;
-    const Surface surface = surface_at(facts_, varying_bounds_, corners_of(scene_, id), pixel);
+    std::vector<std::vector<ReadValue>> attributes;
+    for (const Attribute attribute : judged_) attributes.push_back(values_at(pixel, attribute).values);
+    return wrong_at(pixel, corners_of(scene_, id), attributes);
+}
+
+AttributeValues AttributeCheck::values_at(const PixelCoord& pixel, Attribute attribute) const {
+    const auto id = std::uint32_t(frame_.primitive.at(pixel.x, pixel.y));
+    AttributeValues all{.p_world = corners_of(scene_, id), .values = {}};
+    all.values.reserve(3);
+    for (std::size_t c = 0; c < attribute_channels.size(); ++c)
+        if (attribute_channels[c].attribute == attribute)
+            all.values.push_back({c, at_corners(scene_, scene_.triangles[id], attribute_channels[c]),
+                                  frame_.attributes.planes[c].at(pixel.x, pixel.y)});
+    return all;
+}
+
+bool AttributeCheck::are_admissible(const PixelCoord& pixel, const AttributeValues& values) const {
+    if (values.alternatives.empty()) return !wrong_at(pixel, values.p_world, {values.values});
+    return std::ranges::all_of(values.alternatives, [&](const std::vector<ReadValue>& of_axis) {
+        return std::ranges::any_of(
+            of_axis, [&](const ReadValue& value) { return !wrong_at(pixel, values.p_world, {{value}}); });
+    });
+}
+
+/// The first wrong value of these attributes.
+std::optional<WrongAttribute> AttributeCheck::wrong_at(
+    const PixelCoord& pixel, const CornersWorld& p_world,
+    const std::vector<std::vector<ReadValue>>& attributes) const {
+    const Surface surface = surface_at(facts_, varying_bounds_, p_world, pixel);
     const double given = frame_.camera_depth.at(pixel.x, pixel.y), depth = std::isfinite(given) ? given : 0;
     const SampledSurface sampled{
         surface, interpolation_errors(precision_, surface, depth), depth, {&shown_bounds_, &varying_bounds_}};
-    for (const Attribute attribute : judged_) {
+    for (const std::vector<ReadValue>& attribute : attributes) {
         std::vector<InterpolatedValue> values;
-        values.reserve(3);
-        for (std::size_t c = 0; c < attribute_channels.size(); ++c)
-            if (attribute_channels[c].attribute == attribute)
-                values.push_back(
-                    interpolated_value(surface, sampled.errors, c,
-                                       at_corners(scene_, scene_.triangles[id], attribute_channels[c]),
-                                       frame_.attributes.planes[c].at(pixel.x, pixel.y)));
+        values.reserve(attribute.size());
+        for (const ReadValue& v : attribute) {
+            InterpolatedValue value =
+                interpolated_value(surface, sampled.errors, v.channel, v.at_corners, v.value);
+            value.slack += v.further_slack;
+            if (value.slack_at_centre >= 0) value.slack_at_centre += v.further_slack;
+            value.means.low -= v.further_slack;
+            value.means.high += v.further_slack;
+            values.push_back(value);
+        }
         if (auto wrong = zproof::first_wrong(sampled, values)) return wrong;
     }
     return std::nullopt;

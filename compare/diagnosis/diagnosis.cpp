@@ -6,6 +6,7 @@
 #include <span>
 #include <tuple>
 
+#include "compare/diagnosis/attribute_causes.h"
 #include "compare/diagnosis/defect_set.h"
 #include "compare/diagnosis/description.h"
 #include "compare/diagnosis/hypotheses/catalogue.h"
@@ -476,20 +477,21 @@ class Diagnoser {
 
 }  // namespace
 
-double explained_share(const Explanation& e) {
-    return e.asked == 0 ? 0 : double(e.explained) / double(e.asked);
-}
-
 std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
                                   const RenderedFrame& reference, const Verdict& verdict,
                                   std::span<const std::string> without,
                                   std::span<const EarlierCause> earlier) {
-    if (defect_count(verdict) == verdict.counts[std::size_t(PixelClass::wrong_attribute)])
-        return std::nullopt;
+    if (defect_count(verdict) == 0) return std::nullopt;
     if (scene.triangles.empty())  // there is nothing to draw wrongly
         return Diagnosis{.defects = defect_count(verdict), .cause = {}, .further = {}, .runners_up = {}};
     const DiagnosisInput input{scene, view, candidate, reference};
-    return Diagnoser(input, verdict, without).run(earlier);
+    std::optional<Diagnosis> of_attributes = diagnose_attributes(input, verdict);
+    if (defect_count(verdict) == verdict.counts[std::size_t(PixelClass::wrong_attribute)])
+        return of_attributes;
+    Diagnosis diagnosis = Diagnoser(input, verdict, without).run(earlier);
+    const bool has_room = diagnosis.cause && diagnosis.further.size() + 1 < most_causes;
+    if (has_room && of_attributes && of_attributes->cause) diagnosis.further.push_back(*of_attributes->cause);
+    return diagnosis;
 }
 
 }  // namespace zproof
