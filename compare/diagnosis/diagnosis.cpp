@@ -232,7 +232,8 @@ class Diagnoser {
         return std::size_t(std::ranges::count_if(checks, &ClaimCheck::is_admissible));
     }
 
-    void drop_what_explains_nothing(std::vector<HypothesisTest>& tests) const {
+    /// And what a quarter of the agreeing pixels contradict, so that it saves nothing.
+    void drop_what_explains_nothing(std::vector<HypothesisTest>& tests) {
         const ClaimSample few = defect_set_.defects(sifting);
         std::vector<HypothesisQuery> queries;
         for (const HypothesisTest& t : tests) queries.push_back({t.hypothesis, few.claims});
@@ -240,6 +241,11 @@ class Diagnoser {
         std::vector<HypothesisTest> kept;
         for (std::size_t i = 0; i < tests.size(); ++i)
             if (explained_of(checks[i]) > 0) kept.push_back(std::move(tests[i]));
+        ask(kept, sifting, CheckDetail::admissibility);
+        std::erase_if(kept, [](const HypothesisTest& t) {
+            return t.outcome.saved_bits <= 0 && 4 * t.outcome.contradicted >= t.outcome.checked &&
+                   t.outcome.contradicted > 0;
+        });
         tests = std::move(kept);
     }
 
@@ -259,6 +265,10 @@ class Diagnoser {
     /// The second round.
     void ask_those_that_may_be_best(std::vector<HypothesisTest>& ranked) {
         if (ranked.empty()) return;
+        double together = 0;  // of as many as can be named together
+        for (const HypothesisTest& t : std::span(ranked).first(std::min(ranked.size(), most_causes)))
+            together += std::max(0.0, t.outcome.saved_share);
+        if (together < least_saved_share - clearly_less) return;
         const double least_share = ranked.front().outcome.saved_share - clearly_less;
         const auto rest = std::ranges::stable_partition(ranked, [&](const HypothesisTest& t) {
             return t.outcome.saved_bits > 0 && t.outcome.saved_share > least_share;
