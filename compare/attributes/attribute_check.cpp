@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace zproof {
 
@@ -38,6 +39,22 @@ std::vector<Attribute> given_attributes(const Attributes& given) {
     return attributes;
 }
 
+/// The first wrong one of an attribute's values.
+std::optional<WrongAttribute> first_wrong_of(const SampledSurface& sampled, std::span<const ReadValue> read) {
+    std::vector<InterpolatedValue> values;
+    values.reserve(read.size());
+    for (const ReadValue& v : read) {
+        InterpolatedValue value =
+            interpolated_value(sampled.surface, sampled.errors, v.channel, v.at_corners, v.value);
+        value.slack += v.further_slack;
+        if (value.slack_at_centre >= 0) value.slack_at_centre += v.further_slack;
+        value.means.low -= v.further_slack;
+        value.means.high += v.further_slack;
+        values.push_back(value);
+    }
+    return first_wrong(sampled, values);
+}
+
 }  // namespace
 
 std::vector<Attribute> judged_attributes(const Scene& scene, const View& view, const Attributes& given,
@@ -61,9 +78,18 @@ AttributeCheck::AttributeCheck(const Scene& scene, const View& view, const Frame
 std::optional<WrongAttribute> AttributeCheck::first_wrong(const PixelCoord& pixel) const {
     const auto id = std::uint32_t(frame_.primitive.at(pixel.x, pixel.y));
     if (judged_.empty() || id >= scene_.triangles.size()) return std::nullopt;
-    std::vector<std::vector<ReadValue>> attributes;
-    for (const Attribute attribute : judged_) attributes.push_back(values_at(pixel, attribute).values);
-    return wrong_at(pixel, corners_of(scene_, id), attributes);
+    const Surface surface = surface_at(facts_, varying_bounds_, corners_of(scene_, id), pixel);
+    const SampledSurface sampled = sampled_from(surface);
+    for (const Attribute attribute : judged_)
+        if (auto wrong = first_wrong_of(sampled, values_at(pixel, attribute).values)) return wrong;
+    return std::nullopt;
+}
+
+SampledSurface AttributeCheck::sampled_from(const Surface& surface) const {
+    const auto [x, y] = surface.pixel;
+    const double given = frame_.camera_depth.at(x, y), depth = std::isfinite(given) ? given : 0;
+    return {
+        surface, interpolation_errors(precision_, surface, depth), depth, {&shown_bounds_, &varying_bounds_}};
 }
 
 AttributeValues AttributeCheck::values_at(const PixelCoord& pixel, Attribute attribute) const {
@@ -78,36 +104,14 @@ AttributeValues AttributeCheck::values_at(const PixelCoord& pixel, Attribute att
 }
 
 bool AttributeCheck::are_admissible(const PixelCoord& pixel, const AttributeValues& values) const {
-    if (values.alternatives.empty()) return !wrong_at(pixel, values.p_world, {values.values});
+    const Surface surface = surface_at(facts_, varying_bounds_, values.p_world, pixel);
+    const SampledSurface sampled = sampled_from(surface);
+    if (values.alternatives.empty()) return !first_wrong_of(sampled, values.values);
     return std::ranges::all_of(values.alternatives, [&](const std::vector<ReadValue>& of_axis) {
-        return std::ranges::any_of(
-            of_axis, [&](const ReadValue& value) { return !wrong_at(pixel, values.p_world, {{value}}); });
+        return std::ranges::any_of(of_axis, [&](const ReadValue& value) {
+            return !first_wrong_of(sampled, {&value, 1});
+        });
     });
-}
-
-/// The first wrong value of these attributes.
-std::optional<WrongAttribute> AttributeCheck::wrong_at(
-    const PixelCoord& pixel, const CornersWorld& p_world,
-    const std::vector<std::vector<ReadValue>>& attributes) const {
-    const Surface surface = surface_at(facts_, varying_bounds_, p_world, pixel);
-    const double given = frame_.camera_depth.at(pixel.x, pixel.y), depth = std::isfinite(given) ? given : 0;
-    const SampledSurface sampled{
-        surface, interpolation_errors(precision_, surface, depth), depth, {&shown_bounds_, &varying_bounds_}};
-    for (const std::vector<ReadValue>& attribute : attributes) {
-        std::vector<InterpolatedValue> values;
-        values.reserve(attribute.size());
-        for (const ReadValue& v : attribute) {
-            InterpolatedValue value =
-                interpolated_value(surface, sampled.errors, v.channel, v.at_corners, v.value);
-            value.slack += v.further_slack;
-            if (value.slack_at_centre >= 0) value.slack_at_centre += v.further_slack;
-            value.means.low -= v.further_slack;
-            value.means.high += v.further_slack;
-            values.push_back(value);
-        }
-        if (auto wrong = zproof::first_wrong(sampled, values)) return wrong;
-    }
-    return std::nullopt;
 }
 
 std::vector<std::string> unjudged_attributes(const Scene& scene, const View& view, const Attributes& given,

@@ -48,8 +48,7 @@ class AttributeCheck {
     const std::vector<Attribute>& judged() const { return judged_; }
 
   private:
-    std::optional<WrongAttribute> wrong_at(const PixelCoord& pixel, const CornersWorld& p_world,
-                                           const std::vector<std::vector<ReadValue>>& attributes) const;
+    SampledSurface sampled_from(const Surface& surface) const;
 
     const Scene& scene_;
     ViewFacts facts_;
