@@ -71,7 +71,8 @@ std::string judged(const Scene& scene, const View& view, const Renderer& rendere
                "a "
                "rasterizer that means\n    to leave it out declares \"nothing_behind_the_eye\": true\n";
     }
-    const std::optional<Diagnosis> diagnosis = diagnose(scene, view, ours, theirs, verdict);
+    const std::optional<Diagnosis> diagnosis =
+        diagnose(scene, view, ours, theirs, verdict, {candidate.said(), renderer.convention});
     if (diagnosis && diagnosis->cause) ++tally.causes[diagnosis->cause->name];
     return in_words(scene, candidate, verdict, diagnosis) + "\n";
 }

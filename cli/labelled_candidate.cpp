@@ -2,13 +2,15 @@
 
 #include <utility>
 
-#include "compare/labels/labelled_frame.h"
-
 namespace zproof {
 
 std::string CandidateFrame::label_sentence(int x, int y) const {
     const bool names_label = labels && frame.primitive.at(x, y) != PrimitiveId::none;
     return names_label ? zproof::label_sentence(*labels, own_ids.at(x, y)) : "";
+}
+
+std::optional<SaidLabels> CandidateFrame::said() const {
+    return labels ? std::optional(SaidLabels{*labels, own_ids}) : std::nullopt;
 }
 
 CandidateFrame candidate_frame(const Scene& scene, const View& view, const Renderer& renderer, Frame given,

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "cli/renderers/registry.h"
+#include "compare/labels/labelled_frame.h"
 #include "scenes/triangle_labels.h"
 
 namespace zproof {
@@ -14,6 +16,8 @@ struct CandidateFrame {
     std::shared_ptr<const TriangleLabels> labels;  ///< what its own ids stand for; nothing: triangles
     Plane<PrimitiveId> own_ids;                    ///< where they stand for labels
 
+    /// What it says, where that is no triangle.
+    std::optional<SaidLabels> said() const;
     /// What it says itself at a pixel, to follow a finding; empty where that is a triangle or background.
     std::string label_sentence(int x, int y) const;
 };

@@ -199,7 +199,9 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
     const auto judge_and_diagnose = [&] {
         verdict = judge_as_wanted(view_run, ours, theirs);
         if (config.diagnosis == CauseSearch::done)
-            diagnosis = diagnose(scene, view, ours, theirs, verdict, {}, config.causes.earlier());
+            diagnosis =
+                diagnose(scene, view, ours, theirs, verdict, {candidate.said(), opened.candidate.convention},
+                         {}, config.causes.earlier());
     };
     if (!done_uninterrupted(judge_and_diagnose)) return std::nullopt;
     const bool is_whole = leaves_evidence(verdict, config.evidence);

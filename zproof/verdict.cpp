@@ -155,8 +155,10 @@ Explanation Verdict::explain(int x, int y) const {
 }
 
 std::optional<Diagnosis> Verdict::diagnosis() const {
-    const auto found = diagnose(scene().data().scene, view().data().view, candidate_of(data()),
-                                reference_of(data()), data().verdict);
+    const auto& labels = data().declared.labels;
+    const auto found = diagnose(
+        scene().data().scene, view().data().view, candidate_of(data()), reference_of(data()), data().verdict,
+        {.said = labels ? std::optional(SaidLabels{*labels, data().given.primitive}) : std::nullopt});
     if (!found) return {};
     Diagnosis told{.text = in_words(*found), .cause = {}, .explained_share = 0, .defects = found->defects};
     if (found->cause) {

@@ -273,7 +273,8 @@ Renderer open(const RendererChoice& choice, const Scene& scene) {
             .begin_sample = std::move(answers.begin_sample),
             .sample_price_s = std::move(answers.sample_price_s),
             .channels = std::move(answers.channels),
-            .labels = std::move(labels)};
+            .labels = std::move(labels),
+            .convention = declared_convention(choice)};
 }
 
 measure::Renderer measured_renderer(const RendererChoice& choice) {

@@ -46,6 +46,7 @@ struct Renderer {
     /// file.
     std::function<std::vector<std::string>(const View&)> channels;
     std::shared_ptr<const TriangleLabels> labels;  ///< what its ids stand for; nothing: triangles
+    Convention convention{};                       ///< how its frames were read
 };
 
 /// The names that zproof knows, its own rasterizer first.

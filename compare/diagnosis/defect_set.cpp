@@ -68,11 +68,11 @@ void ClaimSample::add(std::span<const Claim> some, double of_pixels) {
     weights.insert(weights.end(), some.size(), of_pixels / double(some.size()));
 }
 
-DefectSet::DefectSet(const Frame& candidate, const Verdict& verdict)
-    : candidate_(candidate), verdict_(verdict) {
+DefectSet::DefectSet(const DiagnosisInput& input, const Verdict& verdict)
+    : candidate_(input.candidate.frame), said_(input.said), verdict_(verdict) {
     for (const Finding& f : verdict.findings)
         if (is_defect(f.verdict) && f.verdict != PixelClass::wrong_attribute)
-            defects_.push_back({f.x, f.y, f.candidate});
+            defects_.push_back(claim_at({f.x, f.y}));
 }
 
 bool DefectSet::are_all_depths() const {
@@ -101,7 +101,8 @@ ClaimSample DefectSet::agreeing(Resolution cell, std::size_t most) {
     ClaimSample sample;
     for (const std::vector<std::uint32_t>* part : {&all.at_edges, &all.elsewhere}) {
         std::vector<Claim> claims;
-        for (const std::size_t i : spread(part->size(), most / 2)) claims.push_back(claim_at((*part)[i]));
+        for (const std::size_t i : spread(part->size(), most / 2))
+            claims.push_back(claim_at(place_of((*part)[i])));
         sample.add(claims, double(part->size()));
     }
     return sample;
@@ -122,9 +123,11 @@ PixelCoord DefectSet::place_of(std::uint32_t pixel) const {
     return {int(pixel % width), int(pixel / width)};
 }
 
-Claim DefectSet::claim_at(std::uint32_t pixel) const {
-    const auto [x, y] = place_of(pixel);
-    return {x, y, {candidate_.primitive.at(x, y), candidate_.camera_depth.at(x, y)}};
+Claim DefectSet::claim_at(const PixelCoord& place) const {
+    const auto [x, y] = place;
+    Claim claim{x, y, {candidate_.primitive.at(x, y), candidate_.camera_depth.at(x, y)}};
+    if (said_ && !said_->labels.are_absent) claim.label = said_->ids.at(x, y);
+    return claim;
 }
 
 bool DefectSet::is_at_edge(std::uint32_t pixel) const {

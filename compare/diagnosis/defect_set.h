@@ -21,7 +21,7 @@ struct ClaimSample {
 
 class DefectSet {
   public:
-    DefectSet(const Frame& candidate, const Verdict& verdict);
+    DefectSet(const DiagnosisInput& input, const Verdict& verdict);
 
     std::size_t defect_count() const { return defects_.size(); }
     bool are_all_depths() const;
@@ -49,10 +49,11 @@ class DefectSet {
 
     const Agreeing& agreeing_beside(Resolution cell);
     PixelCoord place_of(std::uint32_t pixel) const;
-    Claim claim_at(std::uint32_t pixel) const;
+    Claim claim_at(const PixelCoord& place) const;
     bool is_at_edge(std::uint32_t pixel) const;
 
     const Frame& candidate_;
+    const SaidLabels* said_;
     const Verdict& verdict_;
     std::vector<Claim> defects_;
     double pixels_each_ = 1;                            ///< that a defect stands for

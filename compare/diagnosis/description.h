@@ -18,9 +18,9 @@ inline double bits_of_choice(double some, double all) {
 /// What is told of a frame of that size, by one of so many hypotheses.
 class Description {
   public:
-    Description(const Scene& scene, Resolution size, std::size_t hypotheses)
-        : bits_of_answer_(bits_of_an_id(scene) + 32),
-          pixels_(double(size.pixel_count())),
+    Description(const DiagnosisInput& input, std::size_t hypotheses)
+        : bits_of_answer_(bits_of_an_id(input) + 32),
+          pixels_(double(input.candidate.frame.size().pixel_count())),
           bits_of_name_(std::log2(double(hypotheses))) {}
 
     /// Bits that say which pixels they are whose answers nothing predicts, and what they answer.

@@ -99,10 +99,10 @@ class Diagnoser {
   public:
     Diagnoser(const DiagnosisInput& input, const Verdict& verdict, std::span<const std::string> without)
         : input_(input),
-          defect_set_(input.candidate.frame, verdict),
+          defect_set_(input, verdict),
           hypotheses_(all_hypotheses(input)),
           declared_(as_declared(input, {})),
-          description_(input.scene, input.candidate.frame.size(), hypotheses_.size()) {
+          description_(input, hypotheses_.size()) {
         std::erase_if(hypotheses_,
                       [&](const Hypothesis& h) { return std::ranges::count(without, h.cause.name) > 0; });
         open_bits_of_right_pixel_ = open_bits_of_right_pixel();
@@ -128,7 +128,7 @@ class Diagnoser {
     /// One wrong pixel proves no rule that would show all over the frame. What moves triangles shows at
     /// edges.
     bool may_apply(const Hypothesis& h) const {
-        if (h.moves_triangles && defect_set_.are_all_depths()) return false;
+        if (h.moves_triangles && !input_.said && defect_set_.are_all_depths()) return false;
         return defect_set_.defect_count() > 1 || h.cell != input_.candidate.frame.size();
     }
 
@@ -287,12 +287,12 @@ class Diagnoser {
     }
 
     /// Where several do as well as the best, what speaks of the whole frame stands before what speaks of
-    /// parts, and what learned less from the frames before what learned more.
+    /// parts, what learned less from the frames before what learned more, and what the catalogue has first.
     void put_unlearned_first(std::vector<HypothesisTest>& ranked) const {
         if (ranked.empty()) return;
         const Resolution whole = input_.candidate.frame.size();
         std::ranges::stable_sort(std::span(ranked).first(alike(ranked)), {}, [&](const HypothesisTest& t) {
-            return std::pair{t.hypothesis->cell != whole, t.hypothesis->learned_bits};
+            return std::tuple{t.hypothesis->cell != whole, t.hypothesis->learned_bits, t.place};
         });
     }
 
@@ -364,9 +364,11 @@ class Diagnoser {
     /// What the reference says at these places.
     std::vector<Claim> right_answers(std::vector<Claim> claims) const {
         const Frame& reference = input_.reference.frame;
-        for (Claim& claim : claims)
+        for (Claim& claim : claims) {
             claim.answer = {reference.primitive.at(claim.x, claim.y),
                             reference.camera_depth.at(claim.x, claim.y)};
+            if (input_.said) claim.label = label_of(input_.said->labels, claim.answer.primitive);
+        }
         return claims;
     }
 
@@ -489,12 +491,13 @@ class Diagnoser {
 
 std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
                                   const RenderedFrame& reference, const Verdict& verdict,
-                                  std::span<const std::string> without,
+                                  const FrameAsGiven& given, std::span<const std::string> without,
                                   std::span<const EarlierCause> earlier) {
     if (defect_count(verdict) == 0) return std::nullopt;
     if (scene.triangles.empty())  // there is nothing to draw wrongly
         return Diagnosis{.defects = defect_count(verdict), .cause = {}, .further = {}, .runners_up = {}};
-    const DiagnosisInput input{scene, view, candidate, reference};
+    const DiagnosisInput input{
+        scene, view, candidate, reference, given.said ? &*given.said : nullptr, given.convention};
     std::optional<Diagnosis> of_attributes = diagnose_attributes(input, verdict);
     if (defect_count(verdict) == verdict.counts[std::size_t(PixelClass::wrong_attribute)])
         return of_attributes;

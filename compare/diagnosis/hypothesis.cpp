@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <utility>
 
 namespace zproof {
@@ -32,6 +33,10 @@ Hypothesis as_declared(const DiagnosisInput& input, Cause cause) {
             .report = nullptr};
 }
 
-double bits_of_an_id(const Scene& scene) { return std::log2(double(scene.triangles.size()) + 1); }
+double bits_of_an_id(const DiagnosisInput& input) {
+    if (!input.said) return std::log2(double(input.scene.triangles.size()) + 1);
+    const auto& of_triangle = input.said->labels.of_triangle;
+    return std::log2(double(std::set(of_triangle.begin(), of_triangle.end()).size()) + 1);
+}
 
 }  // namespace zproof

@@ -12,6 +12,8 @@
 
 #include "compare/adjudicate/adjudicator.h"
 #include "compare/judge.h"
+#include "compare/labels/labelled_frame.h"
+#include "frame/convention.h"
 
 namespace zproof {
 
@@ -19,6 +21,8 @@ namespace zproof {
 struct Claim {
     int x = 0, y = 0;
     Answer answer;
+    /// What it says itself where that is a label; its triangle stands for it.
+    PrimitiveId label = PrimitiveId::none;
 };
 
 /// Does the claim speak of a pixel of an image of this size?
@@ -73,15 +77,20 @@ struct Hypothesis {
 struct DiagnosisInput {
     const Scene& scene;
     const View& view;
-    const RenderedFrame& candidate;
+    const RenderedFrame& candidate;  ///< of triangles
     const RenderedFrame& reference;
+    /// Where the candidate names no triangles: what it says. Its triangles stand for that, and under a
+    /// hypothesis any triangle of the same label may.
+    const SaidLabels* said = nullptr;
+    /// What its depths were before they became camera depths.
+    Convention convention{};
 };
 
 /// float32 values between both ends; at least 1.
 double floats_within(const ReportedDepth& range);
 
-/// Bits that name one triangle of the scene, or background.
-double bits_of_an_id(const Scene& scene);
+/// Bits that name one triangle of the scene, or background; one label, where the candidate says labels.
+double bits_of_an_id(const DiagnosisInput& input);
 
 /// Bits of a number that is fitted to the frames.
 inline constexpr double bits_of_a_number = 32;

@@ -19,23 +19,49 @@ constexpr double farthest_shift_px = 1;
 /// Triangles beside a claim's own that are asked about to learn how much is left open.
 constexpr std::size_t most_others = 32;
 
-/// A question's claims as they were meant, less those that fail by themselves.
+/// A question's claims as they were meant, less those that fail by themselves. Of a candidate that names no
+/// triangles a claim stands several times, with each triangle that it may speak of.
 class RestatedClaims {
   public:
     RestatedClaims(const DiagnosisInput& input, const HypothesisQuery& query)
         : scene_(input.scene),
+          said_labels_(input.said),
           hypothesis_(*query.hypothesis),
           bounds_(hypothesis_.view, hypothesis_.precision),
           shown_bounds_(hypothesis_.view, shown_precision(hypothesis_.precision)) {
         for (std::size_t i = 0; i < query.claims.size(); ++i) {
             const std::optional<Claim> meant =
                 hypothesis_.restate ? hypothesis_.restate(query.claims[i]) : query.claims[i];
-            if (!meant || !is_sound(*meant)) continue;
+            if (!meant || !(said_labels_ ? is_in_picture(*meant) : is_sound(*meant))) continue;
             claims_.push_back(*meant);
             asked_.push_back(i);
         }
         said_ = query.claims;
         detail_ = query.most_detail;
+    }
+
+    /// Puts the triangles that near(claim) lists and that may stand for the claim in its place.
+    template <class Near>
+    void put_triangles_for_labels(const Near& near) {
+        if (!said_labels_) return;
+        std::vector<Claim> claims;
+        std::vector<std::size_t> asked;
+        for (std::size_t i = 0; i < claims_.size(); ++i) {
+            Claim claim = claims_[i];
+            const PrimitiveId named = claim.answer.primitive;
+            const auto add_if_sound = [&](PrimitiveId triangle) {
+                claim.answer.primitive = triangle;
+                if (!is_sound(claim)) return;
+                claims.push_back(claim);
+                asked.push_back(asked_[i]);
+            };
+            add_if_sound(named);
+            for (const std::uint32_t t : near(claims_[i]))
+                if (PrimitiveId(t) != named && have_one_label(said_labels_->labels, PrimitiveId(t), named))
+                    add_if_sound(PrimitiveId(t));
+        }
+        claims_ = std::move(claims);
+        asked_ = std::move(asked);
     }
 
     const Hypothesis& hypothesis() const { return hypothesis_; }
@@ -71,8 +97,12 @@ class RestatedClaims {
         return hypothesis_.report ? hypothesis_.report(bound, claim) : ReportedDepth{bound.low, bound.high};
     }
 
+    bool is_in_picture(const Claim& claim) const {
+        return holds({hypothesis_.view.width, hypothesis_.view.height}, claim);
+    }
+
     bool is_sound(const Claim& claim) const {
-        if (!holds({hypothesis_.view.width, hypothesis_.view.height}, claim)) return false;
+        if (!is_in_picture(claim)) return false;
         const PrimitiveId id = claim.answer.primitive;
         if (id == PrimitiveId::none) return claim.answer.camera_depth == background_depth;
         return is_triangle(id) && has_admissible_depth(claim);
@@ -98,6 +128,7 @@ class RestatedClaims {
     }
 
     const Scene& scene_;
+    const SaidLabels* said_labels_;
     const Hypothesis& hypothesis_;
     ViewBounds bounds_, shown_bounds_;
     std::vector<Claim> claims_;
@@ -111,7 +142,7 @@ class RestatedClaims {
 /// by their positions.
 class LocalScene {
   public:
-    LocalScene(const DiagnosisInput& input, std::span<const RestatedClaims> all_restated) {
+    LocalScene(const DiagnosisInput& input, std::span<RestatedClaims> all_restated) {
         for (const RestatedClaims& restated : all_restated)
             for (const Claim& claim : restated.claims()) widen(input, restated, claim);
         std::vector<SearchPixel> search_pixels;
@@ -125,6 +156,8 @@ class LocalScene {
             std::ranges::sort(search_pixel.triangles);
             nearby_[{search_pixel.y, search_pixel.x}] = std::move(search_pixel.triangles);
         }
+        for (RestatedClaims& restated : all_restated)
+            restated.put_triangles_for_labels([&](const Claim& claim) { return nearby(claim); });
         std::ranges::sort(triangles_);
         triangles_.erase(std::unique(triangles_.begin(), triangles_.end()), triangles_.end());
         for (const std::uint32_t triangle : triangles_) settle(corners_of(input.scene, triangle));
@@ -134,7 +167,9 @@ class LocalScene {
     double reach_px(const Claim& claim) const { return reaches_.at({claim.y, claim.x}); }
 
     /// Triangles of the whole scene that come near the claim's pixel, ascending.
-    const auto& nearby(const Claim& claim) const { return nearby_.at({claim.y, claim.x}); }
+    const decltype(SearchPixel::triangles)& nearby(const Claim& claim) const {
+        return nearby_.at({claim.y, claim.x});
+    }
 
     PrimitiveId id_in_scene(std::uint32_t triangle) const { return PrimitiveId(triangles_[triangle]); }
 
@@ -148,10 +183,14 @@ class LocalScene {
 
   private:
     void widen(const DiagnosisInput& input, const RestatedClaims& restated, const Claim& claim) {
-        const double own = own_eps_px(input.scene, restated.hypothesis().view, restated.bounds(),
-                                      {claim.x, claim.y}, claim.answer.primitive);
         double& reach = reaches_[{claim.y, claim.x}];
-        reach = std::max(reach, own);
+        const auto widen_for = [&](PrimitiveId triangle) {
+            reach = std::max(reach, own_eps_px(input.scene, restated.hypothesis().view, restated.bounds(),
+                                               {claim.x, claim.y}, triangle));
+        };
+        if (std::size_t(claim.answer.primitive) < input.scene.triangles.size() || !input.said)
+            widen_for(claim.answer.primitive);
+        if (input.said) widen_for(input.reference.frame.primitive.at(claim.x, claim.y));
     }
 
     /// The search looks from half the near depth on: from the nearest near plane that anyone supposes.
@@ -225,8 +264,9 @@ class ClaimsInScene {
         std::vector<ClaimCheck> checks(restated_.count());
         std::vector<std::size_t> admissible;
         for (const Answered& answered : admissible_among(own)) {
-            checks[restated_.asked(answered.claim)].is_admissible = true;
-            admissible.push_back(answered.claim);
+            bool& is_admissible = checks[restated_.asked(answered.claim)].is_admissible;
+            if (!is_admissible) admissible.push_back(answered.claim);
+            is_admissible = true;
         }
         if (std::min(detail, restated_.most_detail()) == CheckDetail::open_bits)
             tell_open_bits(admissible, checks);

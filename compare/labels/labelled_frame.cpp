@@ -224,6 +224,16 @@ class LabelledFrame {
 
 }  // namespace
 
+PrimitiveId label_of(const TriangleLabels& labels, PrimitiveId triangle) {
+    const auto t = std::size_t(triangle);
+    return t < labels.of_triangle.size() ? PrimitiveId(labels.of_triangle[t]) : PrimitiveId::none;
+}
+
+bool have_one_label(const TriangleLabels& labels, PrimitiveId one, PrimitiveId other) {
+    const PrimitiveId label = label_of(labels, one);
+    return label != PrimitiveId::none && label == label_of(labels, other);
+}
+
 Frame with_labels(Frame frame, const TriangleLabels& labels) {
     for (PrimitiveId& id : frame.primitive.pixels())
         if (std::size_t(id) < labels.of_triangle.size())

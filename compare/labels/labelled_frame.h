@@ -10,6 +10,18 @@ namespace zproof {
 /// A triangle that no scene has: it stands for a label that no triangle has.
 inline constexpr PrimitiveId no_such_triangle{0xFFFF'FFFE};
 
+/// What a frame says that names no triangles.
+struct SaidLabels {
+    const TriangleLabels& labels;
+    const Plane<PrimitiveId>& ids;  ///< as the frame gives them; empty where it has none
+};
+
+/// A triangle's label; none where it is none of the scene's.
+PrimitiveId label_of(const TriangleLabels& labels, PrimitiveId triangle);
+
+/// Do both triangles have one label? Not where one is none of the scene's.
+bool have_one_label(const TriangleLabels& labels, PrimitiveId one, PrimitiveId other);
+
 /// A frame of triangles as a frame of labels.
 Frame with_labels(Frame of_triangles, const TriangleLabels& labels);
 

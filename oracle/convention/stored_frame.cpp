@@ -9,7 +9,7 @@
 #include "image_io/image_io.h"
 #include "image_io/module.h"
 #include "image_io/raw_frame.h"
-#include "oracle/convention/camera_depth.h"
+#include "scenes/camera_depth.h"
 #include "oracle/convention/frame_bytes.h"
 #include "oracle/isolated.h"
 

@@ -37,7 +37,7 @@ class DiagnosisFixture {
                                           const Precision& declared = rasterizer::precision(),
                                           std::span<const EarlierCause> earlier = {}) const {
         const RenderedFrame ours{frame, declared}, theirs{reference_, oracle::embree_precision()};
-        return diagnose(scene(), view_, ours, theirs, judge(scene(), view_, ours, theirs), {}, earlier);
+        return diagnose(scene(), view_, ours, theirs, judge(scene(), view_, ours, theirs), {}, {}, earlier);
     }
 
   private:

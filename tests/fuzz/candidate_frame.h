@@ -7,7 +7,7 @@
 #include "frame/frame_error.h"
 #include "image_io/image_io.h"
 #include "image_io/raw_frame.h"
-#include "oracle/convention/camera_depth.h"
+#include "scenes/camera_depth.h"
 #include "tests/fuzz/image_module.h"
 #include "tests/fuzz/scratch_folder.h"
 
@@ -30,7 +30,7 @@ inline void read_candidate_frame(const std::filesystem::path& file, const Conven
     }
     if (raw_frame_size(file, convention) != Resolution{4, 3}) return;
     const RawFrame raw = read_raw_frame(file, convention);
-    const oracle::CameraDepth camera_depth(convention, view);
+    const CameraDepth camera_depth(convention, view);
     for (int y = 0; y < view.height; ++y)
         for (int x = 0; x < view.width; ++x) camera_depth(raw.stored_depth.at(x, y), x, y);
 }

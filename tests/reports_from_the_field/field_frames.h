@@ -30,6 +30,7 @@ struct FieldFrame {
 std::vector<FieldFrame> frames_of_drawing();
 std::vector<FieldFrame> frames_of_place();
 std::vector<FieldFrame> frames_of_depth();
+std::vector<FieldFrame> frames_of_depth_pictures();
 std::vector<FieldFrame> frames_of_ids();
 
 }  // namespace zproof::field_reports

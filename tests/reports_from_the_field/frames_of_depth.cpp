@@ -86,6 +86,17 @@ View tight_view() {
     return view;
 }
 
+/// So near that some of it lies nearer than 1.
+View view_near_the_yard() {
+    View view = view_of_yard();
+    const Camera near = look_at({-1.5, 0.6, 1.2}, {-1.2, 0.1, -1}, {0, 1, 0});
+    view.camera.eye_world = near.eye_world;
+    view.camera.right = near.right;
+    view.camera.up = near.up;
+    view.camera.back = near.back;
+    return view;
+}
+
 /// Depth where the ray of another place meets the plane of the pixel's triangle.
 double on_plane_at(const Scene& scene, const Seen& s, double x, double y) {
     const Camera& c = s.view.camera;
@@ -277,6 +288,59 @@ std::vector<FieldFrame> frames_of_depth() {
              clipped.camera.near_depth = 4.1;
              return Shown{ground, view, cast(ground, clipped)};
          }},
+    };
+}
+
+std::vector<FieldFrame> frames_of_depth_pictures() {
+    const Scene ground = yard();
+    const View view = view_of_yard(), tight = tight_view();
+    const auto share = [](const Seen& s) {
+        const Camera& c = s.view.camera;
+        return (s.depth - c.near_depth) / (c.far_depth - c.near_depth);
+    };
+    const auto height = [](const Seen& s) {
+        const Camera& c = s.view.camera;
+        const double u = c.window.left + (c.window.right - c.window.left) * (s.x + 0.5) / s.view.width;
+        const double v = c.window.top - (c.window.top - c.window.bottom) * (s.y + 0.5) / s.view.height;
+        return double(c.eye_world.y) + s.depth * (u * c.right.y + v * c.up.y - c.back.y);
+    };
+    const auto named = [&](const char* name, const char* cause, const char* source, const View& of,
+                           const std::function<double(const Seen&)>& told) {
+        return FieldFrame{name, {cause}, source, telling(ground, of, told)};
+    };
+    return {
+        named("gamma_of_metres", "depth went through a curve of gamma 2.2",
+              "a float picture encoded for display", view,
+              [](const Seen& s) { return std::pow(s.depth, 1 / 2.2); }),
+        named("gamma_of_metres_undone", "depth went through a curve of gamma 1/2.2",
+              "a float picture taken for a display's", view,
+              [](const Seen& s) { return std::pow(s.depth, 2.2); }),
+        named("gamma_of_grey", "depth from near to far went through a curve of gamma 2.2",
+              "depth as a grey value, encoded for display", tight,
+              [=](const Seen& s) { return std::pow(share(s), 1 / 2.2); }),
+        named("gamma_of_grey_undone", "depth from near to far went through a curve of gamma 1/2.2",
+              "depth as a grey value, taken for a display's", tight,
+              [=](const Seen& s) { return std::pow(share(s), 2.2); }),
+        named("srgb_of_grey", "depth from near to far went through the curve of sRGB",
+              "depth as a grey value in a texture of sRGB", tight,
+              [=](const Seen& s) {
+                  const double c = share(s);
+                  return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
+              }),
+        named("logarithm", "depth is a logarithm", "log(z)", view,
+              [](const Seen& s) { return std::log(s.depth); }),
+        named("logarithmic_buffer", "depth from near to far is a logarithm", "a logarithmic depth buffer",
+              tight, [](const Seen& s) { return std::log(s.depth / 2) / std::log(12.0 / 2); }),
+        named("disparity", "depth is a disparity", "focal length 57.3 px, baseline 0.1", view,
+              [](const Seen& s) { return 5.73 / s.depth; }),
+        named("clamped_at_1", "depth is clamped at 1", "a depth in metres in a picture of 0 to 1",
+              view_near_the_yard(), [](const Seen& s) { return std::min(1.0, s.depth); }),
+        named("height", "depth is the point's y in the world", "a position's channel taken for depth", view,
+              height),
+        named("whole_millimetres", "depth is in whole steps of 0.001", "BOP: 16-bit depth in millimetres",
+              view, [](const Seen& s) { return std::round(s.depth * 1000) / 1000; }),
+        named("whole_centimetres", "depth is in whole steps of 0.01", "depth in centimetres", view,
+              [](const Seen& s) { return std::round(s.depth * 100) / 100; }),
     };
 }
 

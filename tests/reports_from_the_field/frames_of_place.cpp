@@ -329,11 +329,76 @@ std::vector<FieldFrame> of_cameras() {
     };
 }
 
+void turn(Camera& c, double angle) {
+    const glm::dvec3 right = c.right, back = c.back;
+    c.right = std::cos(angle) * right + std::sin(angle) * back;
+    c.back = std::cos(angle) * back - std::sin(angle) * right;
+}
+
+/// Cameras that are off by a number.
+std::vector<FieldFrame> of_other_numbers() {
+    const View view = view_of_yard();
+    const auto scaled = [=](double x, double y) {
+        return seen_by(view, [=](Camera& c) {
+            const Window& w = c.window;
+            c.window = {w.left * x, w.right * x, w.bottom * y, w.top * y};
+        });
+    };
+    const double half_angle = std::atan(view.camera.window.top);
+    const double of_the_angle = std::tan(half_angle / 2) / std::tan(half_angle);
+    const auto moved_by = [=](const glm::vec3& step) {
+        return seen_by(view, [=](Camera& c) { c.eye_world += step; });
+    };
+    const RayPrecision ray{.arithmetic = Arithmetic::float32};
+    return {
+        {"focal_length_of_another_sensor", {"the window is scaled"}, "a factor of 1.15", scaled(1.15, 1.15)},
+        {"focal_length_rounded", {"the window is scaled"}, "a factor of 1.0025", scaled(1.0025, 1.0025)},
+        {"angle_halved",
+         {"the window is scaled"},
+         "tan of a quarter of the field of view",
+         scaled(of_the_angle, of_the_angle)},
+        {"focal_length_of_a_caster",
+         {"the window is scaled"},
+         "a factor of 0.9, declared rays",
+         scaled(0.9, 0.9),
+         ray},
+        {"fx_alone", {"the window is scaled in x"}, "fx off by 3 %", scaled(0.97, 1)},
+        {"fy_alone", {"the window is scaled in y"}, "fy off by 0.5 %", scaled(1, 1.005)},
+        {"fx_and_fy", {"the window is scaled in x and in y"}, "two factors", scaled(1.1, 0.93)},
+        {"principal_point_by_less_than_a_pixel",
+         {"the image is shifted by a fraction of a pixel"},
+         "cx off by 0.8 px",
+         aiming(view, beside_the_centre(0.8, 0))},
+        {"principal_point_by_pixels",
+         {"the principal point lies elsewhere"},
+         "cx and cy off by 5.2 and -3.25 px",
+         aiming(view, beside_the_centre(5.2, -3.25))},
+        {"focal_length_and_principal_point",
+         {"the window is scaled and lies elsewhere"},
+         "fx, fy, cx and cy of another camera",
+         aiming(view, [](int x, int y) { return glm::dvec2(1.05 * x + 2.25, 1.05 * y - 1.5); })},
+        {"eye_moved", {"the camera stands elsewhere"}, "the other eye of a pair", moved_by({0.0625f, 0, 0})},
+        {"camera_turned",
+         {"the camera is turned"},
+         "half a degree about its up axis",
+         seen_by(view, [](Camera& c) { turn(c, 0.00873); })},
+        {"camera_of_another_frame",
+         {"the camera stands elsewhere and is turned"},
+         "the pose of the next frame",
+         seen_by(view,
+                 [](Camera& c) {
+                     c.eye_world += glm::vec3(0.05f, 0.02f, 0.03f);
+                     turn(c, -0.0125);
+                 })},
+    };
+}
+
 }  // namespace
 
 std::vector<FieldFrame> frames_of_place() {
     std::vector<FieldFrame> all = of_grids();
-    for (const auto& more : {of_windows(), of_cameras()}) all.insert(all.end(), more.begin(), more.end());
+    for (const auto& more : {of_windows(), of_cameras(), of_other_numbers()})
+        all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 

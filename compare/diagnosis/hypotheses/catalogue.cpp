@@ -19,6 +19,11 @@ enum class Kind { signs, place, depth, ids, dropped, drawing, coverage, parts, p
 struct Family {
     Kind kind;
     std::vector<Hypothesis> (*hypotheses)(const DiagnosisInput&);
+    enum class Asked { always, of_triangles, of_labels } asked = Asked::always;
+
+    bool is_asked(const DiagnosisInput& input) const {
+        return asked == Asked::always || (asked == Asked::of_labels) == (input.said != nullptr);
+    }
 };
 
 constexpr std::array all_families{Family{Kind::signs, hypotheses_of_signs},
@@ -26,13 +31,15 @@ constexpr std::array all_families{Family{Kind::signs, hypotheses_of_signs},
                                   Family{Kind::place, hypotheses_of_grid},
                                   Family{Kind::depth, hypotheses_of_depth},
                                   Family{Kind::place, hypotheses_of_depth_elsewhere},
-                                  Family{Kind::ids, hypotheses_of_ids},
-                                  Family{Kind::ids, hypotheses_of_shared_ids},
+                                  Family{Kind::ids, hypotheses_of_ids, Family::Asked::of_triangles},
+                                  Family{Kind::ids, hypotheses_of_shared_ids, Family::Asked::of_triangles},
+                                  Family{Kind::ids, hypotheses_of_labels, Family::Asked::of_labels},
                                   Family{Kind::dropped, hypotheses_of_dropped_triangles},
                                   Family{Kind::drawing, hypotheses_of_drawing},
                                   Family{Kind::coverage, hypotheses_of_coverage},
                                   Family{Kind::parts, hypotheses_of_parts},
                                   Family{Kind::place, hypotheses_of_window},
+                                  Family{Kind::place, hypotheses_of_fitted_cameras},
                                   Family{Kind::precision, hypotheses_of_precision}};
 
 /// What may be wrong where a frame shows no triangle: nothing else would show.
@@ -47,10 +54,11 @@ std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input) {
                                                  : std::span<const Family>(all_families);
     std::vector<Hypothesis> all;
     for (const Family& family : families)
-        for (Hypothesis& h : family.hypotheses(input)) {
-            h.kind = int(family.kind);
-            all.push_back(std::move(h));
-        }
+        if (family.is_asked(input))
+            for (Hypothesis& h : family.hypotheses(input)) {
+                h.kind = int(family.kind);
+                all.push_back(std::move(h));
+            }
     return all;
 }
 

@@ -22,6 +22,8 @@ std::vector<Hypothesis> hypotheses_of_depth_elsewhere(const DiagnosisInput& inpu
 std::vector<Hypothesis> hypotheses_of_ids(const DiagnosisInput& input);
 /// Ids name more than one triangle each.
 std::vector<Hypothesis> hypotheses_of_shared_ids(const DiagnosisInput& input);
+/// Labels name other labels; where a candidate has no ids, its depths say where background is.
+std::vector<Hypothesis> hypotheses_of_labels(const DiagnosisInput& input);
 /// Triangles across planes or sides, and small ones, are left out.
 std::vector<Hypothesis> hypotheses_of_dropped_triangles(const DiagnosisInput& input);
 /// Another depth test, fill rule, culling or clipping.
@@ -32,6 +34,8 @@ std::vector<Hypothesis> hypotheses_of_coverage(const DiagnosisInput& input);
 std::vector<Hypothesis> hypotheses_of_parts(const DiagnosisInput& input);
 /// Another window, camera or scene is drawn.
 std::vector<Hypothesis> hypotheses_of_window(const DiagnosisInput& input);
+/// Another window or pose of the camera, fitted to the depths.
+std::vector<Hypothesis> hypotheses_of_fitted_cameras(const DiagnosisInput& input);
 /// Less precision than was declared, the least loss first.
 std::vector<Hypothesis> hypotheses_of_precision(const DiagnosisInput& input);
 

@@ -85,14 +85,13 @@ bool touches(OtherWorld& world, const View& view, const Claim& claim) {
 }
 
 Hypothesis over(const DiagnosisInput& input) {
-    const auto world =
-        std::make_shared<OtherWorld>(declared_scene(input), input.view, input.candidate.precision);
+    const auto world = std::make_shared<OtherWorld>(input, declared_scene(input), input.view);
     Hypothesis h = decided_by(
         input,
         {"triangles show wherever they touch a pixel",
          "Coverage asks for any part of the pixel's square instead of its centre.",
          "Look at the rasterizer's state: conservative coverage is on."},
-        [world, view = input.view](const Claim& claim) { return touches(*world, view, claim); },
+        world, [world, view = input.view](const Claim& claim) { return touches(*world, view, claim); },
         [world, view = input.view](const Claim& claim) {
             const CornersWorld p_world = corners_of(world->scene(), std::uint32_t(claim.answer.primitive));
             const ViewRay<double> ray(view, claim.x, claim.y);

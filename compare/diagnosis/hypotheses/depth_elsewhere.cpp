@@ -16,13 +16,14 @@ constexpr double no_limit = std::numeric_limits<double>::infinity();
 /// float32 roundings of a told_rounding: a quotient, a product, a sum, and the store.
 const double told_rounding = gamma(4, unit_roundoff_float32);
 
-/// The bounds of the depths that the candidate's ids may have at their pixels.
+/// The bounds of the depths that the candidate's ids may have at their pixels; the reference's ids, where the
+/// candidate names no triangles.
 class OwnDepths {
   public:
     explicit OwnDepths(const DiagnosisInput& input)
         : scene_(input.scene),
           view_(input.view),
-          frame_(input.candidate.frame),
+          frame_(input.said ? input.reference.frame : input.candidate.frame),
           bounds_(input.view, shown_precision(input.candidate.precision)) {}
 
     /// Nothing where the id is none or no triangle's.
@@ -195,6 +196,17 @@ std::vector<Hypothesis> scaled_or_biased(const DiagnosisInput& input) {
     return all;
 }
 
+/// Pixels of a stereo pair instead of a depth.
+std::vector<Hypothesis> disparity(const DiagnosisInput& input) {
+    if (input.view.camera.projection == Projection::parallel) return {};
+    return fitted(input,
+                  {"depth is a disparity", "What is told for depth is, divided by depth, ",
+                   "Look at the stereo matcher's output: depth is focal length times baseline by disparity."},
+                  {.told = [](double k, double depth) { return k / depth; },
+                   .number = [](double told, double depth) { return told * depth; },
+                   .rounding = [](double k, double depth) { return told_rounding * std::abs(k / depth); }});
+}
+
 /// z was written with the declared planes, and read with another. z is rounded as a number of size 1, which
 /// is 1 / near in inverse depth.
 std::vector<Hypothesis> read_with_other_planes(const DiagnosisInput& input) {
@@ -265,7 +277,7 @@ std::vector<Hypothesis> hypotheses_of_depth_elsewhere(const DiagnosisInput& inpu
         for (const int dx : {0, -1, 1})
             if (dx != 0 || dy != 0) all.push_back(beside_centre(input, 0.5 * glm::dvec2(dx, dy)));
     for (const auto& more :
-         {scaled_or_biased(input), read_with_other_planes(input), clipped_elsewhere(input)})
+         {scaled_or_biased(input), disparity(input), read_with_other_planes(input), clipped_elsewhere(input)})
         all.insert(all.end(), more.begin(), more.end());
     return all;
 }

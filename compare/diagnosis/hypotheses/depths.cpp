@@ -5,6 +5,8 @@
 #include "compare/diagnosis/hypotheses/affine_depth.h"
 #include "compare/diagnosis/hypotheses/catalogue.h"
 #include "math/rounding.h"
+#include "math/srgb.h"
+#include "scenes/camera_depth.h"
 
 namespace zproof {
 
@@ -36,10 +38,30 @@ struct Linear {
     }
 };
 
+/// Depths as the frame stores them, by what they are turned back to where they are declared to be of a kind.
+class TurnedBack {
+  public:
+    explicit TurnedBack(const DiagnosisInput& input) : camera_depth_(input.convention, input.view) {}
+
+    ReportedDepth operator()(const ReportedDepth& stored, const Claim& claim) const {
+        if (camera_depth_.is_identity()) return stored;
+        const double one = camera_depth_(stored.low, claim.x, claim.y),
+                     other = camera_depth_(stored.high, claim.x, claim.y);
+        const double rounding = conversion * std::max(std::abs(one), std::abs(other));
+        return {std::min(one, other) - rounding, std::max(one, other) + rounding};
+    }
+
+  private:
+    CameraDepth camera_depth_;
+};
+
+/// Depths are stored as `report` says.
 template <class Report>
 Hypothesis reported_as(const DiagnosisInput& input, const Cause& cause, Report report) {
     Hypothesis h = as_declared(input, cause);
-    h.report = report;
+    h.report = [report, turned_back = TurnedBack(input)](const DepthBound& bound, const Claim& claim) {
+        return turned_back(report(bound, claim), claim);
+    };
     h.restate = [](Claim claim) -> std::optional<Claim> {
         if (claim.answer.primitive == PrimitiveId::none) claim.answer.camera_depth = background_depth;
         return claim;
@@ -140,6 +162,80 @@ Hypothesis ray_length_less_near(const DiagnosisInput& input) {
         report);
 }
 
+/// A coordinate of the point in the world, such as its height.
+Hypothesis coordinate(const DiagnosisInput& input, int axis, const std::string& name) {
+    const auto report = [view = input.view, axis](const DepthBound& bound, const Claim& claim) {
+        const ViewRay<double> ray(view, claim.x, claim.y);
+        const auto along = [axis](const Vector3<double>& v) {
+            return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+        };
+        return Linear{along(ray.origin), along(ray.direction)}(bound, claim);
+    };
+    Hypothesis h =
+        reported_as(input,
+                    {"depth is the point's " + name + " in the world",
+                     "What is told for depth is a coordinate of the place that the pixel shows.",
+                     "Look at which pass or channel is exported: a position or a height map is no depth."},
+                    report);
+    // a sum's steps are those of its terms, also where it is nearly 0
+    const double step = 2 * unit_roundoff_float32 * std::abs(double(input.view.camera.eye_world[axis]));
+    h.tellable = [step](const ReportedDepth& range) {
+        const double floats = floats_within(range);
+        return step > 0 ? std::min(floats, (range.high - range.low) / step + 1) : floats;
+    };
+    return h;
+}
+
+/// A monotonic curve over depth, with what its own roundings may change of what it gives.
+struct Curve {
+    std::function<double(double depth)> at;
+    double rounding;  ///< as a share
+
+    ReportedDepth operator()(const DepthBound& bound, const Claim&) const {
+        const double one = at(bound.low), other = at(bound.high);
+        const double room = rounding * std::max(std::abs(one), std::abs(other));
+        return {std::min(one, other) - room, std::max(one, other) + room};
+    }
+};
+
+/// What pictures do to their values.
+std::vector<Hypothesis> as_pictures(const DiagnosisInput& input) {
+    const double near = input.view.camera.near_depth, far = input.view.camera.far_depth;
+    const char* picture =
+        "Look at the depth's export: colour management, tone curves and clamps are for colours.";
+    const auto curve = [&](const std::string& name, const std::string& description,
+                           std::function<double(double)> at) {
+        // powers and logarithms of the C library are off by less than 1 ulp; arguments by a few roundings
+        return reported_as(input, {name, description, picture}, Curve{std::move(at), 8 * conversion});
+    };
+    std::vector<Hypothesis> all{
+        curve("depth went through a curve of gamma 2.2", "Depth is told to the power of 1 / 2.2.",
+              [](double depth) { return std::pow(std::max(0.0, depth), 1 / 2.2); }),
+        curve("depth went through a curve of gamma 1/2.2", "Depth is told to the power of 2.2.",
+              [](double depth) { return std::pow(std::max(0.0, depth), 2.2); }),
+        curve("depth is clamped at 1", "Depths above 1 are told as 1.",
+              [](double depth) { return std::min(1.0, depth); })};
+    if (near <= 0) return all;
+    all.push_back(curve("depth is a logarithm", "The natural logarithm of depth is told.",
+                        [](double depth) { return std::log(depth); }));
+    if (!std::isfinite(far)) return all;
+    const auto share = [=](double depth) { return std::clamp((depth - near) / (far - near), 0.0, 1.0); };
+    const std::string between = " of the share of the way from near to far";
+    all.push_back(curve("depth from near to far went through a curve of gamma 2.2",
+                        "The 1/2.2th power" + between + " is told.",
+                        [=](double depth) { return std::pow(share(depth), 1 / 2.2); }));
+    all.push_back(curve("depth from near to far went through a curve of gamma 1/2.2",
+                        "The 2.2th power" + between + " is told.",
+                        [=](double depth) { return std::pow(share(depth), 2.2); }));
+    all.push_back(curve("depth from near to far went through the curve of sRGB",
+                        "The sRGB code" + between + " is told.",
+                        [=](double depth) { return encoded_srgb(share(depth)); }));
+    all.push_back(curve("depth from near to far is a logarithm",
+                        "log(depth / near) / log(far / near) is told.",
+                        [=](double depth) { return std::log(depth / near) / std::log(far / near); }));
+    return all;
+}
+
 std::string factor_text(double factor) {
     return factor > 1 ? std::to_string(int(factor)) : "1/" + std::to_string(int(std::round(1 / factor)));
 }
@@ -199,6 +295,15 @@ std::vector<Hypothesis> hypotheses_of_depth(const DiagnosisInput& input) {
                                             Linear{-c.near_depth, 1}),
                                 ray_length_from_near(input),
                                 ray_length_less_near(input)};
+    if (!CameraDepth(input.convention, input.view).is_identity())
+        all.push_back(reported_as(input,
+                                  {"depth is along the view axis already",
+                                   "Depth is camera depth, and is turned back as if it were of another kind.",
+                                   "Look at depth_kind and depth_scale of the convention."},
+                                  Linear{0, 1}));
+    for (Hypothesis& h : as_pictures(input)) all.push_back(std::move(h));
+    for (const auto& [axis, name] : {std::pair{0, "x"}, {1, "y"}, {2, "z"}})
+        all.push_back(coordinate(input, axis, name));
     for (const double unit : {1000.0, 100.0, 10.0})
         for (const double factor : {unit, 1 / unit})
             all.push_back(reported_as(

@@ -184,7 +184,7 @@ Hypothesis lost_triangles(const DiagnosisInput& input) {
                       std::erase_if(around.neighbours,
                                     [&](const Neighbour& n) { return missing.contains(n.triangle); });
                   });
-    h.learned_bits = double(missing.size()) * bits_of_an_id(input.scene);
+    h.learned_bits = double(missing.size()) * bits_of_an_id(input);
     h.supposes_no_rule = true;
     return h;
 }

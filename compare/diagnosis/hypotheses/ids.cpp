@@ -9,8 +9,6 @@ namespace zproof {
 
 namespace {
 
-constexpr std::uint32_t nobody = std::uint32_t(PrimitiveId::none);
-
 Hypothesis with_ids(const DiagnosisInput& input, const Cause& cause, const Renamed& meant) {
     Hypothesis h = as_declared(input, cause);
     h.restate = [meant, count = input.scene.triangles.size()](Claim claim) -> std::optional<Claim> {
@@ -153,7 +151,7 @@ Hypothesis exchanged(const DiagnosisInput& input) {
                  meant);
     const auto changed =
         std::ranges::count_if(there, [&](const auto& pair) { return meant(pair.first) != pair.first; });
-    h.learned_bits = 2 * double(changed) * bits_of_an_id(input.scene);
+    h.learned_bits = 2 * double(changed) * bits_of_an_id(input);
     return h;
 }
 
@@ -185,6 +183,7 @@ std::vector<Hypothesis> hypotheses_of_ids(const DiagnosisInput& input) {
         apart_from_depths(input, 0, -1, "above")};
     for (const auto& more : {of_parts(input), of_lost_bits(input)})
         all.insert(all.end(), more.begin(), more.end());
+    all.push_back(with_ids_reported_as(input, through_srgb("ids"), in_srgb_bytes));
     all.push_back(of_vertices(input));
     all.push_back(exchanged(input));
     return all;

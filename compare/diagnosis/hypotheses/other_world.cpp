@@ -51,11 +51,12 @@ struct OtherWorld::Search {
     TileWork work_at(int x, int y) const { return TileWork(setting, by_tile.of(tiles.of(x, y))); }
 };
 
-OtherWorld::OtherWorld(std::shared_ptr<const Scene> scene, const View& view, const Precision& precision)
-    : scene_(std::move(scene)),
+OtherWorld::OtherWorld(const DiagnosisInput& input, std::shared_ptr<const Scene> scene, const View& view)
+    : input_(input),
+      scene_(std::move(scene)),
       view_(view),
-      bounds_(view, precision),
-      shown_bounds_(view, shown_precision(precision)) {}
+      bounds_(view, input.candidate.precision),
+      shown_bounds_(view, shown_precision(input.candidate.precision)) {}
 
 OtherWorld::~OtherWorld() = default;
 
@@ -85,16 +86,40 @@ ReportedDepth OtherWorld::depth_of(const Claim& claim) const {
     return {bound.low, bound.high};
 }
 
-bool OtherWorld::might_be_shown_in(const Frame& frame) const {
+bool OtherWorld::might_be_shown() const {
+    const Frame& frame = input_.candidate.frame;
     const std::size_t count = frame.primitive.pixels().size(), width = std::size_t(frame.size().width);
-    std::size_t asked = 0, possible = 0;
+    std::vector<Claim> claims;
+    std::vector<SearchPixel> pixels;
     for (std::size_t i = 0; i < count; i += count / most_asked + 1) {
         const int x = int(i % width), y = int(i / width);
         if (frame.primitive.at(x, y) == PrimitiveId::none) continue;
-        ++asked;
-        possible += may_show({x, y, {frame.primitive.at(x, y), frame.camera_depth.at(x, y)}});
+        claims.push_back({x, y, {frame.primitive.at(x, y), frame.camera_depth.at(x, y)}});
+        pixels.push_back({x, y, searched_px, {}});
     }
-    return 2 * possible >= asked;
+    const std::array renderers{&bounds_};
+    if (input_.said) find_nearby_triangles(*scene_, view_, renderers, pixels);
+    std::size_t possible = 0;
+    for (std::size_t i = 0; i < claims.size(); ++i)
+        possible += std::ranges::any_of(readings_among(claims[i], pixels[i].triangles),
+                                        [&](const Claim& reading) { return may_show(reading); });
+    return 2 * possible >= claims.size();
+}
+
+std::vector<Claim> OtherWorld::readings_among(const Claim& claim, std::span<const std::uint32_t> near) const {
+    if (!input_.said) return {claim};
+    std::vector<Claim> readings;
+    if (claim.answer.primitive == PrimitiveId::none) readings.push_back(claim);
+    for (const std::uint32_t t : near)
+        if (have_one_label(input_.said->labels, PrimitiveId(t), claim.answer.primitive))
+            readings.push_back({claim.x, claim.y, {PrimitiveId(t), claim.answer.camera_depth}});
+    return readings;
+}
+
+std::vector<Claim> OtherWorld::readings_of(const Claim& claim) {
+    if (!input_.said) return {claim};
+    TileWork work = search().work_at(claim.x, claim.y);
+    return readings_among(claim, work.triangles_within(searched_px, {claim.x, claim.y}, bounds_));
 }
 
 bool OtherWorld::admits(const Claim& claim) {
@@ -112,30 +137,46 @@ Neighbourhood OtherWorld::around(const Claim& claim, double reach_px) {
     return neighbourhood_of(*scene_, view_, bounds_, pixel, bounds_.background_eps_px());
 }
 
+namespace {
+
+Hypothesis explains_nothing(const DiagnosisInput& input, Cause cause) {
+    Hypothesis h = as_declared(input, std::move(cause));
+    h.restate = [](const Claim&) -> std::optional<Claim> { return std::nullopt; };
+    return h;
+}
+
+}  // namespace
+
 std::shared_ptr<const Scene> declared_scene(const DiagnosisInput& input) {
     return {std::shared_ptr<const Scene>(), &input.scene};
 }
 
-Hypothesis decided_by(const DiagnosisInput& input, Cause cause, std::function<bool(const Claim&)> admits,
+Hypothesis decided_by(const DiagnosisInput& input, Cause cause, const std::shared_ptr<OtherWorld>& world,
+                      std::function<bool(const Claim&)> admits,
                       std::function<ReportedDepth(const Claim&)> depth_of) {
     Hypothesis h = as_declared(input, std::move(cause));
-    h.restate = [admits = std::move(admits)](const Claim& claim) -> std::optional<Claim> {
-        if (!admits(claim)) return std::nullopt;
+    const auto admitted = [world, admits = std::move(admits)](const Claim& claim) -> std::optional<Claim> {
+        for (const Claim& reading : world->readings_of(claim))
+            if (admits(reading)) return reading;
+        return std::nullopt;
+    };
+    h.restate = [admitted](const Claim& claim) -> std::optional<Claim> {
+        if (!admitted(claim)) return std::nullopt;
         return Claim{claim.x, claim.y, {PrimitiveId::none, background_depth}};
     };
     h.amend = [](Neighbourhood& around, PrimitiveId) { around.neighbours.clear(); };
-    h.decided_depth = std::move(depth_of);
+    h.decided_depth = [admitted, depth_of = std::move(depth_of)](const Claim& claim) {
+        return depth_of(*admitted(claim));
+    };
     return h;
 }
 
 Hypothesis shown_instead(const DiagnosisInput& input, Cause cause, std::shared_ptr<const Scene> scene,
                          const View& view) {
-    const auto world = std::make_shared<OtherWorld>(std::move(scene), view, input.candidate.precision);
+    const auto world = std::make_shared<OtherWorld>(input, std::move(scene), view);
+    if (!world->might_be_shown()) return explains_nothing(input, std::move(cause));
     return decided_by(
-        input, std::move(cause),
-        [world, is_possible = world->might_be_shown_in(input.candidate.frame)](const Claim& claim) {
-            return is_possible && world->admits(claim);
-        },
+        input, std::move(cause), world, [world](const Claim& claim) { return world->admits(claim); },
         [world](const Claim& claim) { return world->depth_of(claim); });
 }
 

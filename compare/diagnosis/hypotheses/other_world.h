@@ -13,8 +13,8 @@ namespace zproof {
 
 class OtherWorld {
   public:
-    /// The scene must outlive it, or be shared.
-    OtherWorld(std::shared_ptr<const Scene> scene, const View& view, const Precision& precision);
+    /// What the candidate of `input` drew instead. The scene must outlive it, or be shared.
+    OtherWorld(const DiagnosisInput& input, std::shared_ptr<const Scene> scene, const View& view);
     ~OtherWorld();
     OtherWorld(const OtherWorld&) = delete;
     OtherWorld& operator=(const OtherWorld&) = delete;
@@ -22,9 +22,11 @@ class OtherWorld {
     /// Would a faultless renderer of that world be right to claim this? Not where nothing is seen there:
     /// that nothing was drawn is another hypothesis.
     bool admits(const Claim& claim);
-    /// Might a frame show that world? Of pixels, evenly spread, that show a triangle, at least half might,
-    /// each by itself. Cheap: without a search.
-    bool might_be_shown_in(const Frame& frame) const;
+    /// Might the candidate show that world? Of pixels, evenly spread, that show a triangle, at least half
+    /// might, each by itself. Cheap: where the candidate names triangles without a search.
+    bool might_be_shown() const;
+    /// The claim; of a candidate that names no triangles with each triangle near that may stand for it.
+    std::vector<Claim> readings_of(const Claim& claim);
     /// All triangles whose image comes within reach_px (at most 1) of the pixel's centre.
     Neighbourhood around(const Claim& claim, double reach_px);
     /// The depths that the claimed triangle may have at the claim's pixel.
@@ -36,8 +38,10 @@ class OtherWorld {
     struct Search;
 
     bool may_show(const Claim& claim) const;
+    std::vector<Claim> readings_among(const Claim& claim, std::span<const std::uint32_t> near) const;
     Search& search();
 
+    const DiagnosisInput& input_;
     std::shared_ptr<const Scene> scene_;
     View view_;
     ViewBounds bounds_, shown_bounds_;
@@ -47,9 +51,11 @@ class OtherWorld {
 /// The declared scene, which outlives every diagnosis.
 std::shared_ptr<const Scene> declared_scene(const DiagnosisInput& input);
 
-/// The hypothesis that what `admits` says of a claim is right. A claim that is admitted goes on as
-/// background before nothing, to which the judge has no objection; `depth_of` says which depths it may have.
-Hypothesis decided_by(const DiagnosisInput& input, Cause cause, std::function<bool(const Claim&)> admits,
+/// The hypothesis that what `admits` says of a claim, as it may be read in that world, is right. A claim that
+/// is admitted goes on as background before nothing, to which the judge has no objection; `depth_of` says
+/// which depths it may have.
+Hypothesis decided_by(const DiagnosisInput& input, Cause cause, const std::shared_ptr<OtherWorld>& world,
+                      std::function<bool(const Claim&)> admits,
                       std::function<ReportedDepth(const Claim&)> depth_of);
 
 /// The hypothesis that the frame shows that scene in that view.

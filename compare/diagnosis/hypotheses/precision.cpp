@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "compare/diagnosis/hypotheses/catalogue.h"
+#include "frame/number_text.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -211,6 +212,54 @@ Hypothesis stored_linearly(const DiagnosisInput& input, int bits) {
     return h;
 }
 
+/// Steps in which depths may be kept, the largest first: whole units, parts of them, and the file's own.
+std::vector<double> likely_steps(const DiagnosisInput& input) {
+    std::vector<double> steps{1,
+                              0.1,
+                              0.01,
+                              0.001,
+                              0.0001,
+                              1.0 / 256,
+                              input.convention.depth_scale,
+                              input.convention.depth_scale / 4};
+    std::ranges::sort(steps, std::greater());
+    return steps;
+}
+
+/// Depth in whole steps of scene units. The largest that holds at most of the depths is taken.
+std::vector<Hypothesis> stored_in_steps(const DiagnosisInput& input) {
+    const auto depths = input.candidate.frame.camera_depth.pixels();
+    for (const double step : likely_steps(input)) {
+        std::size_t finite = 0, whole = 0;
+        for (const float told : depths) {
+            if (!std::isfinite(told)) continue;
+            const double count = double(told) / step;
+            ++finite;
+            whole += std::abs(count - std::round(count)) <= depth_rounding * std::abs(count);
+        }
+        if (finite == 0 || 2 * whole < finite) continue;
+        if (depth_rounding * double(*std::ranges::max_element(
+                                 depths, {}, [](float d) { return std::isfinite(d) ? d : 0.0f; })) >
+            step / 4)
+            continue;  // every float is near a step
+        Hypothesis h = as_declared(
+            input,
+            {"depth is in whole steps of " + with_digits(step, 4),
+             "Depth was rounded to a whole number of steps of " + with_digits(step, 4) + ".",
+             "Look at the file's integers: half a step is part of the promise (bounded, depth_absolute)."});
+        h.report = [step](const DepthBound& bound, const Claim&) {
+            const double room =
+                step / 2 + depth_rounding * std::max(std::abs(bound.low), std::abs(bound.high));
+            return ReportedDepth{bound.low - room, bound.high + room};
+        };
+        tells_levels_only(h, [step](double depth) {
+            return std::array{Steps{depth / step, depth_rounding * std::abs(depth) / step}};
+        });
+        return {h};
+    }
+    return {};
+}
+
 /// Depth as a float of fewer significant bits, rounded either way. It tells no depth of more bits.
 Hypothesis stored_as_float(const DiagnosisInput& input, int bits) {
     Hypothesis h =
@@ -240,6 +289,7 @@ std::vector<Hypothesis> hypotheses_of_precision(const DiagnosisInput& input) {
                                 stored_in(input, 8),  stored_as_float(input, 16), stored_as_float(input, 11)};
     if (std::isfinite(input.view.camera.far_depth))
         for (const int bits : {16, 8}) all.push_back(stored_linearly(input, bits));
+    for (Hypothesis& h : stored_in_steps(input)) all.push_back(std::move(h));
     const auto* declared = std::get_if<RasterPrecision>(&input.candidate.precision);
     if (!declared) return all;
     if (declared->snap == Snap::nearest) {

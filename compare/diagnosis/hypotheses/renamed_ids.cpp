@@ -1,6 +1,9 @@
 #include "compare/diagnosis/hypotheses/renamed_ids.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "math/srgb.h"
 
 namespace zproof {
 
@@ -38,6 +41,20 @@ Ids most_often_with(std::span<const PrimitiveId> ids, std::span<const PrimitiveI
         most[id] = other;
     }
     return most;
+}
+
+Cause through_srgb(const std::string& what) {
+    return {what + " went through the curve of sRGB", "Each byte was taken for a linear colour and encoded.",
+            "Look at the format of the texture and of the file: ids must be stored as data, not as colours."};
+}
+
+std::uint32_t in_srgb_bytes(std::uint32_t id) {
+    std::uint32_t encoded = 0;
+    for (int byte = 0; byte < 4; ++byte) {
+        const double linear = double(id >> 8 * byte & 0xFF) / 255;
+        encoded |= std::uint32_t(std::round(255 * encoded_srgb(linear))) << 8 * byte;
+    }
+    return encoded;
 }
 
 std::size_t part_of(const Scene& scene, std::uint32_t triangle) {

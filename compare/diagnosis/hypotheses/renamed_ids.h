@@ -9,6 +9,9 @@
 
 namespace zproof {
 
+/// The id of background.
+inline constexpr std::uint32_t nobody = std::uint32_t(PrimitiveId::none);
+
 using Renamed = std::function<std::uint32_t(std::uint32_t id)>;
 
 /// The hypothesis that told(id) is reported instead of an id. Where an id no longer tells which triangle it
@@ -20,6 +23,11 @@ using Ids = std::unordered_map<std::uint32_t, std::uint32_t>;
 
 /// The other id that most pixels have together with each id; the least of equals.
 Ids most_often_with(std::span<const PrimitiveId> ids, std::span<const PrimitiveId> others);
+
+/// The cause that `what` (ids, labels) were written as colours.
+Cause through_srgb(const std::string& what);
+/// Each of its four bytes through the curve of sRGB (IEC 61966-2-1), to whole numbers.
+std::uint32_t in_srgb_bytes(std::uint32_t id);
 
 /// The part that holds a triangle, as an index; parts stand in triangle order.
 std::size_t part_of(const Scene& scene, std::uint32_t triangle);

@@ -83,7 +83,7 @@ std::vector<Hypothesis> one_for_all(const DiagnosisInput& input) {
         {"all triangles have one id",
          "An id is " + std::to_string(*only) + ", whichever triangle it stands for.", not_written},
         [only](std::uint32_t) { return *only; });
-    h.learned_bits = bits_of_an_id(input.scene);
+    h.learned_bits = bits_of_an_id(input);
     all.push_back(std::move(h));
     return all;
 }
@@ -101,7 +101,7 @@ Hypothesis shared(const DiagnosisInput& input) {
          "An id stands for more triangles than one, the same wherever they occur.",
          "Look at what the id stands for: a face, an object or a cluster instead of the triangle."},
         told);
-    h.learned_bits = 2 * double(ours.size()) * bits_of_an_id(input.scene);
+    h.learned_bits = 2 * double(ours.size()) * bits_of_an_id(input);
     return h;
 }
 

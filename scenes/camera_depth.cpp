@@ -1,11 +1,11 @@
-#include "oracle/convention/camera_depth.h"
+#include "scenes/camera_depth.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "frame/frame_error.h"
 
-namespace zproof::oracle {
+namespace zproof {
 namespace {
 
 /// Focal length in pixels, along x.
@@ -52,6 +52,10 @@ double CameraDepth::operator()(double stored, int x, int y) const {
     return focal_px(view_) * convention_.baseline.value() / value;
 }
 
+bool CameraDepth::is_identity() const {
+    return convention_.depth_kind == DepthKind::camera && convention_.depth_scale == 1;
+}
+
 double CameraDepth::per_length(int x, int y) const {
     const Camera& camera = view_.camera;
     const Window& w = camera.window;
@@ -93,4 +97,4 @@ double CameraDepth::far_value() const {
     }
 }
 
-}  // namespace zproof::oracle
+}  // namespace zproof

@@ -4,7 +4,7 @@
 #include "frame/convention.h"
 #include "scenes/view.h"
 
-namespace zproof::oracle {
+namespace zproof {
 
 /// docs/conventions.md states each formula and how far its result may be off.
 class CameraDepth {
@@ -15,6 +15,7 @@ class CameraDepth {
     /// The camera depth of a stored depth at the centre of pixel (x, y). What is no depth stays none: NaN
     /// stays NaN, and a value beyond its range becomes negative, infinite or a depth beyond near or far.
     double operator()(double stored, int x, int y) const;
+    bool is_identity() const;  ///< Is every stored depth its own camera depth?
 
     /// Does a stored value say "background"?
     bool is_background(double stored) const;
@@ -31,4 +32,4 @@ class CameraDepth {
     View view_;
 };
 
-}  // namespace zproof::oracle
+}  // namespace zproof
