@@ -81,6 +81,7 @@ struct ReportArguments {
     CommonArguments common{.output = Output::folder, .out = "zproof-out"};
     PictureMode pictures = PictureMode::none;
     Evidence evidence = Evidence::defects;
+    CauseSearch diagnosis = CauseSearch::done;
     std::vector<ReportFormat> formats = usual_formats();
     enum class Columns { that_fit, all } columns = Columns::that_fit;  ///< of the table of views
     GateArguments gate{};

@@ -73,6 +73,7 @@ ExitCode judge_and_report(const RunRequest& request) {
                     .shard = shard,
                     .selection = selection,
                     .today = gate.waivers.empty() ? "" : in_words(gate.today),
+                    .diagnosis = report.diagnosis,
                     .strictness = gate.strictness,
                     .waivers = gate.waivers,
                     .renderers = {},
@@ -85,6 +86,7 @@ ExitCode judge_and_report(const RunRequest& request) {
     FolderNames names;
     std::size_t scenes_left = 0;
     EarlyEnd early_end(early_end_rule);
+    CauseVote causes;
     {
         Progress progress{std::cerr, progress_of(report.common), expected_work(sources, report.common.out)};
         const RunConfig config{settings.resolution,
@@ -96,6 +98,8 @@ ExitCode judge_and_report(const RunRequest& request) {
                                gate,
                                report.pictures,
                                report.evidence,
+                               report.diagnosis,
+                               causes,
                                are_all_shown(sources),
                                settings.samples,
                                views,

@@ -198,8 +198,10 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
     std::optional<Diagnosis> diagnosis;
     const auto judge_and_diagnose = [&] {
         verdict = judge_as_wanted(view_run, ours, theirs);
-        diagnosis =
-            diagnose(scene, view, ours, theirs, verdict, {candidate.said(), opened.candidate.convention});
+        if (config.diagnosis == CauseSearch::done)
+            diagnosis =
+                diagnose(scene, view, ours, theirs, verdict, {candidate.said(), opened.candidate.convention},
+                         {}, config.causes.earlier());
     };
     if (!done_uninterrupted(judge_and_diagnose)) return std::nullopt;
     const bool is_whole = leaves_evidence(verdict, config.evidence);
@@ -283,6 +285,7 @@ class Record {
     void add(ViewResult result) {
         config_.progress.tell(result);
         config_.early_end.note(result);
+        config_.causes.note(result);
         results_.push_back(std::move(result));
     }
 

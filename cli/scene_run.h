@@ -15,6 +15,7 @@
 #include "program/folder_names.h"
 #include "program/scene_selection.h"
 #include "reports/results.h"
+#include "reports/run_causes.h"
 
 namespace zproof {
 
@@ -36,6 +37,8 @@ struct RunConfig {
     const Gate& gate;
     PictureMode pictures;
     Evidence evidence;
+    CauseSearch diagnosis;
+    CauseVote& causes;
     bool shows_every_view;               ///< does a view without evidence leave what the page shows of it?
     const std::vector<Sample>& samples;  ///< of every view
     ViewChoice views{};

@@ -81,6 +81,7 @@ class Supervision {
         results_.ending = scene.ending;
         for (const ViewResult& view : scene.views) {
             config_.early_end.note(view);
+            config_.causes.note(view);
             if (!view.folder.empty()) config_.names.take(fs::path(view.folder).filename().string());
         }
         std::ranges::move(scene.views, std::back_inserter(results_.views));

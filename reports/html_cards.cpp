@@ -78,7 +78,7 @@ std::string without_pictures(std::span<const PageView> pages) {
 
 std::string html_answer(const Results& results) {
     const std::vector<RunCause> causes = run_causes(results);
-    const std::string words = in_words(causes, failed_views(results));
+    const std::string words = cause_in_words(results);
     return (words.empty() ? "" : "<p class=\"cause\">" + escaped(words) + "</p>\n") + other_causes(causes) +
            next_step(results);
 }

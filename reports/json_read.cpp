@@ -118,8 +118,9 @@ void special(const Json& json, As<Channel, std::size_t>& as) {
 
 void special(const Json& json, As<JsonText, std::string>& as) { as.value = json.dump(); }
 
-void special(const Json& json, As<Flag, Strictness>& as) {
-    as.value = json ? Strictness::strict : Strictness::lenient;
+template <class Choice>
+void special(const Json& json, As<Flag, Choice>& as) {
+    as.value = Choice{json.get<bool>()};
 }
 
 void special(const Json& json, ClassCounts& counts) {

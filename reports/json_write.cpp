@@ -66,7 +66,10 @@ Json special(Day day) { return in_words(day); }
 Json special(const As<Bits, const float>& as) { return hex_bits(as.value); }
 Json special(const As<Channel, const std::size_t>& as) { return attribute_channels[as.value].name; }
 Json special(const As<JsonText, const std::string>& as) { return Json::parse(as.value); }
-Json special(const As<Flag, const Strictness>& as) { return as.value == Strictness::strict; }
+template <class Choice>
+Json special(const As<Flag, const Choice>& as) {
+    return as.value == Choice{1};
+}
 
 Json special(const ClassCounts& counts) {
     Json object = Json::object();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reports/diagnosis_words.h"
+#include "reports/run_causes.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -106,8 +107,16 @@ std::string test_case(const ViewResult& v) {
            "    </testcase>\n";
 }
 
-void write_suite(const TextSink& out, const Suite& suite) {
-    out("  <testsuite" + attribute("name", suite.name) + totals(suite.cases) + ">\n");
+/// The cause of the whole run, in each suite.
+std::string properties(const Results& results) {
+    const std::string cause = cause_in_words(results);
+    if (cause.empty()) return "";
+    return "    <properties>\n      <property" + attribute("name", "cause") + attribute("value", cause) +
+           "/>\n    </properties>\n";
+}
+
+void write_suite(const TextSink& out, const Suite& suite, const std::string& properties) {
+    out("  <testsuite" + attribute("name", suite.name) + totals(suite.cases) + ">\n" + properties);
     for (const ViewResult* v : suite.cases) out(test_case(*v));
     out("  </testsuite>\n");
 }
@@ -117,7 +126,8 @@ void write_suite(const TextSink& out, const Suite& suite) {
 void write_junit(const TextSink& out, const Results& results) {
     out("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + attribute("name", "zproof") +
         totals(failed_first(results)) + ">\n");
-    for (const Suite& suite : suites_of(results)) write_suite(out, suite);
+    const std::string of_the_run = properties(results);
+    for (const Suite& suite : suites_of(results)) write_suite(out, suite, of_the_run);
     out("</testsuites>\n");
 }
 

@@ -46,6 +46,8 @@ const std::vector<Common>& common_things() {
         {"the day of the waivers", [](const Results& r) { return r.today; }, "give all shards one --now"},
         {"--strict", [](const Results& r) { return std::to_string(int(r.strictness)); },
          "run all shards with it or without it"},
+        {"--no-diagnosis", [](const Results& r) { return std::to_string(int(r.diagnosis)); },
+         "run all shards with it or without it"},
     };
     return all;
 }

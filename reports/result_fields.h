@@ -15,6 +15,7 @@
 #include "frame/attributes.h"
 #include "frame/field.h"
 #include "reports/results.h"
+#include "reports/run_causes.h"
 
 namespace zproof {
 
@@ -145,6 +146,11 @@ inline constexpr auto fields<Explanation> = std::tuple{
     field("checked", &Explanation::checked),
     field("spared", &Explanation::saved_share,
           "of what it takes to tell the defects: the share that the hypothesis spares", {.since = "0.3"}),
+    field("spared_bits", &Explanation::saved_bits, "the same in bits: by them views vote for the run's cause",
+          {.since = "0.3"}),
+    field("fitted", &Explanation::fitted,
+          "the number that it fitted to the frames, as a clause: \"depth is told times 1.1\"",
+          {.presence = unless_empty}),
 };
 
 template <>
@@ -384,6 +390,16 @@ inline constexpr auto fields<Selection> = std::tuple{
           "number of files in the folders that are no scenes, by ending in lower case", {.since = "0.3"}),
 };
 
+template <>
+inline constexpr auto fields<RunCause> = std::tuple{
+    ObjectFacts{"run_cause", "The likely cause of some of the views that failed."},
+    field("name", &RunCause::name),
+    field("look_at", &RunCause::look_at, "where in a renderer's code to look first"),
+    field("fitted", &RunCause::fitted, "the number that all of its views fit", {.presence = unless_empty}),
+    field("views", &RunCause::views, "of which it is the likely cause"),
+    field("spared_bits", &RunCause::saved_bits, "by it, in all of them"),
+};
+
 template <Outcome outcome>
 std::uint64_t views_of(const Results& results) {
     return std::uint64_t(std::ranges::count(results.views, outcome, &ViewResult::outcome));
@@ -393,10 +409,12 @@ static_assert(all_outcomes.size() == 6);  // each has a row of summary
 
 template <>
 inline constexpr auto fields<Results> = std::tuple{
-    ObjectFacts{"",
-                "Everything that one zproof run found out. New keys may appear within 2.x; readers pass over "
-                "what they do not know. Two runs of the same input differ in `run` and in each view's "
-                "`times` only; those that are put together from shards likewise."},
+    ObjectFacts{
+        "",
+        "Everything that one zproof run found out. New keys may appear within 2.x; readers pass over "
+        "what they do not know. Two runs of the same input differ in `run` and in each view's "
+        "`times` only; those that are put together from shards in `diagnosis` too, where a shard did not "
+        "meet a view that the whole run learned a cause from."},
     field("schema_version", [](const Results&) { return Results::schema_version; }, "",
           {.limits = R"({"pattern": "^2\\.[0-9]+$"})"}),
     ObjectFacts{"run", "How, where and by what the run was made."},
@@ -415,6 +433,8 @@ inline constexpr auto fields<Results> = std::tuple{
     field("run/shard", &Results::shard),
     field("run/ending", &Results::ending),
     field("run/today", &Results::today, "the day that waivers were held against; empty where there are none"),
+    field("run/diagnosis", as<Flag>(&Results::diagnosis), "were causes of failed views sought?",
+          {.since = "0.3"}),
     field("run/renderers", &Results::renderers, "candidate, reference and the oracles that could be asked"),
     field("selection", &Results::selection),
     ObjectFacts{"summary", "Number of views, in all and by outcome."},
@@ -425,6 +445,8 @@ inline constexpr auto fields<Results> = std::tuple{
     field("summary/unreadable", views_of<Outcome::unreadable>),
     field("summary/not_judged", views_of<Outcome::not_judged>),
     field("summary/internal_error", views_of<Outcome::internal_error>),
+    field("causes", run_causes, "of the whole run, the one first that spares the most bits",
+          {.since = "0.3"}),
     field("waivers/strict", as<Flag>(&Results::strictness),
           "do unused and too generous waivers fail the gate?"),
     field("waivers/list", &Results::waivers),

@@ -188,6 +188,9 @@ inline constexpr std::array all_endings{Ending::complete, Ending::interrupted, E
 /// The ending's name in results.json: "interrupted".
 std::string_view name_of(Ending ending);
 
+/// Are causes of failed views sought?
+enum class CauseSearch { left_out, done };
+
 /// A whole run.
 struct Results {
     static constexpr const char* schema_version = "2.0";
@@ -202,6 +205,7 @@ struct Results {
     Selection selection{};
     Ending ending = Ending::complete;
     std::string today{};  ///< the day that waivers are held against, "2026-04-10"; empty where there are none
+    CauseSearch diagnosis = CauseSearch::done;
     Strictness strictness = Strictness::lenient;
     std::vector<Waiver> waivers{};
     std::vector<RendererFacts> renderers;  ///< candidate, reference, and the oracles that are there

@@ -271,10 +271,11 @@ std::string outcomes(const Results& results, Colour colour) {
     return text;
 }
 
-/// Of a run in which more than one view failed.
+/// Nothing where one view failed, whose story has said it.
 std::string cause_line(const Results& results) {
-    const std::uint64_t failed = failed_views(results);
-    return failed < 2 ? "" : one_line(in_words(run_causes(results), failed)) + "\n";
+    const bool is_told_above = failed_views(results) == 1 && results.diagnosis == CauseSearch::done;
+    const std::string words = is_told_above ? "" : one_line(cause_in_words(results));
+    return words.empty() ? "" : words + "\n";
 }
 
 }  // namespace

@@ -95,6 +95,9 @@ void add_evidence(CLI::App& app, ReportArguments& report) {
     app.add_flag_callback(
         "--pictures", [&report] { report.pictures = PictureMode::shaded; },
         "shaded colour pictures, beside those of oracles that can paint");
+    app.add_flag_callback(
+        "--no-diagnosis", [&report] { report.diagnosis = CauseSearch::left_out; },
+        "seek no causes: faster where views fail");
 }
 
 void add_waiver_file(CLI::App& app, GateArguments& gate) {

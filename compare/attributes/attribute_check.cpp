@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace zproof {
 
@@ -38,6 +39,22 @@ std::vector<Attribute> given_attributes(const Attributes& given) {
     return attributes;
 }
 
+/// The first wrong one of an attribute's values.
+std::optional<WrongAttribute> first_wrong_of(const SampledSurface& sampled, std::span<const ReadValue> read) {
+    std::vector<InterpolatedValue> values;
+    values.reserve(read.size());
+    for (const ReadValue& v : read) {
+        InterpolatedValue value =
+            interpolated_value(sampled.surface, sampled.errors, v.channel, v.at_corners, v.value);
+        value.slack += v.further_slack;
+        if (value.slack_at_centre >= 0) value.slack_at_centre += v.further_slack;
+        value.means.low -= v.further_slack;
+        value.means.high += v.further_slack;
+        values.push_back(value);
+    }
+    return first_wrong(sampled, values);
+}
+
 }  // namespace
 
 std::vector<Attribute> judged_attributes(const Scene& scene, const View& view, const Attributes& given,
@@ -62,21 +79,39 @@ std::optional<WrongAttribute> AttributeCheck::first_wrong(const PixelCoord& pixe
     const auto id = std::uint32_t(frame_.primitive.at(pixel.x, pixel.y));
     if (judged_.empty() || id >= scene_.triangles.size()) return std::nullopt;
     const Surface surface = surface_at(facts_, varying_bounds_, corners_of(scene_, id), pixel);
-    const double given = frame_.camera_depth.at(pixel.x, pixel.y), depth = std::isfinite(given) ? given : 0;
-    const SampledSurface sampled{
-        surface, interpolation_errors(precision_, surface, depth), depth, {&shown_bounds_, &varying_bounds_}};
-    for (const Attribute attribute : judged_) {
-        std::vector<InterpolatedValue> values;
-        values.reserve(3);
-        for (std::size_t c = 0; c < attribute_channels.size(); ++c)
-            if (attribute_channels[c].attribute == attribute)
-                values.push_back(
-                    interpolated_value(surface, sampled.errors, c,
-                                       at_corners(scene_, scene_.triangles[id], attribute_channels[c]),
-                                       frame_.attributes.planes[c].at(pixel.x, pixel.y)));
-        if (auto wrong = zproof::first_wrong(sampled, values)) return wrong;
-    }
+    const SampledSurface sampled = sampled_from(surface);
+    for (const Attribute attribute : judged_)
+        if (auto wrong = first_wrong_of(sampled, values_at(pixel, attribute).values)) return wrong;
     return std::nullopt;
+}
+
+SampledSurface AttributeCheck::sampled_from(const Surface& surface) const {
+    const auto [x, y] = surface.pixel;
+    const double given = frame_.camera_depth.at(x, y), depth = std::isfinite(given) ? given : 0;
+    return {
+        surface, interpolation_errors(precision_, surface, depth), depth, {&shown_bounds_, &varying_bounds_}};
+}
+
+AttributeValues AttributeCheck::values_at(const PixelCoord& pixel, Attribute attribute) const {
+    const auto id = std::uint32_t(frame_.primitive.at(pixel.x, pixel.y));
+    AttributeValues all{.p_world = corners_of(scene_, id), .values = {}};
+    all.values.reserve(3);
+    for (std::size_t c = 0; c < attribute_channels.size(); ++c)
+        if (attribute_channels[c].attribute == attribute)
+            all.values.push_back({c, at_corners(scene_, scene_.triangles[id], attribute_channels[c]),
+                                  frame_.attributes.planes[c].at(pixel.x, pixel.y)});
+    return all;
+}
+
+bool AttributeCheck::are_admissible(const PixelCoord& pixel, const AttributeValues& values) const {
+    const Surface surface = surface_at(facts_, varying_bounds_, values.p_world, pixel);
+    const SampledSurface sampled = sampled_from(surface);
+    if (values.alternatives.empty()) return !first_wrong_of(sampled, values.values);
+    return std::ranges::all_of(values.alternatives, [&](const std::vector<ReadValue>& of_axis) {
+        return std::ranges::any_of(of_axis, [&](const ReadValue& value) {
+            return !first_wrong_of(sampled, {&value, 1});
+        });
+    });
 }
 
 std::vector<std::string> unjudged_attributes(const Scene& scene, const View& view, const Attributes& given,

@@ -15,6 +15,22 @@
 
 namespace zproof {
 
+/// One number of an attribute as somebody reads it, and what it would interpolate.
+struct ReadValue {
+    std::size_t channel = 0;
+    std::array<double, 3> at_corners{};
+    float value = 0;
+    double further_slack = 0;  ///< what reading it costs, beside the declared arithmetic
+};
+
+/// One attribute at a pixel, by axis, over a triangle.
+struct AttributeValues {
+    CornersWorld p_world{};
+    std::vector<ReadValue> values;
+    /// By axis: what each number may be instead. Empty: `values` alone.
+    std::vector<std::vector<ReadValue>> alternatives{};
+};
+
 class AttributeCheck {
   public:
     /// Scene and frame must outlive it.
@@ -25,7 +41,15 @@ class AttributeCheck {
     /// an error bound, then by rationals.
     std::optional<WrongAttribute> first_wrong(const PixelCoord& pixel) const;
 
+    /// As the frame tells them, and the scene holds them at the triangle's corners.
+    AttributeValues values_at(const PixelCoord& pixel, Attribute attribute) const;
+    /// Are they within their bounds, by the same rule?
+    bool are_admissible(const PixelCoord& pixel, const AttributeValues& values) const;
+    const std::vector<Attribute>& judged() const { return judged_; }
+
   private:
+    SampledSurface sampled_from(const Surface& surface) const;
+
     const Scene& scene_;
     ViewFacts facts_;
     const Frame& frame_;

@@ -1,10 +1,12 @@
 #include "compare/diagnosis/diagnosis.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <span>
 #include <tuple>
 
+#include "compare/diagnosis/attribute_causes.h"
 #include "compare/diagnosis/defect_set.h"
 #include "compare/diagnosis/description.h"
 #include "compare/diagnosis/hypotheses/catalogue.h"
@@ -14,7 +16,10 @@ namespace zproof {
 
 namespace {
 
+constexpr std::size_t sifting = 32;  ///< defects of which a hypothesis must explain one to be asked more
 constexpr std::size_t first_round = 128, second_round = 1000;  ///< claims of either kind per hypothesis
+/// A hypothesis that spares less than the best, by this share, in the first round is not asked in the second.
+constexpr double clearly_less = 0.2;
 constexpr std::size_t at_a_time = 4;
 constexpr std::size_t most_causes = 3;
 constexpr std::size_t most_weighed = 32;    ///< hypotheses whose open answers are counted, for each cause
@@ -26,7 +31,6 @@ struct HypothesisTest {
     const Hypothesis* hypothesis = nullptr;
     std::size_t place = 0;  ///< in the order of all hypotheses
     Explanation outcome;
-    double saved_bits = 0;       ///< by which the frame is told shorter
     std::uint64_t defects = 0;   ///< all that there are to explain
     bool speaks_of_all = false;  ///< Does it suppose the same of every pixel, and not of some parts?
 
@@ -53,22 +57,42 @@ struct HypothesisTest {
         return speaks_of_all && !hypothesis->only_permits &&
                double(left()) <= least_part * double(outcome.asked);
     }
-    /// Is it the whole cause, as far as was asked, and not only the least of several that would permit it?
-    bool suffices() const {
-        return is_not_refuted() && leaves_nothing() && !hypothesis->only_permits &&
-               outcome.saved_share >= least_saved_share;
+    bool explains_all() const {
+        return is_not_refuted() && leaves_nothing() && outcome.saved_share >= least_saved_share;
     }
+    /// Is it the whole cause, as far as was asked, and not only the least of several that would permit it?
+    bool suffices() const { return explains_all() && !hypothesis->only_permits; }
 };
+
+/// Is all that the other one admits admissible under it as well, since it supposes fewer sub-pixel bits?
+bool permits_more(const Hypothesis& a, const Hypothesis& b) {
+    const auto is_of_bits = [](const Hypothesis& h) {
+        return h.only_permits && !h.restate && !h.amend && !h.report;
+    };
+    const auto *coarse = std::get_if<RasterPrecision>(&a.precision),
+               *fine = std::get_if<RasterPrecision>(&b.precision);
+    if (!coarse || !fine || !is_of_bits(a) || !is_of_bits(b)) return false;
+    RasterPrecision with_bits = *coarse;
+    with_bits.subpixel_bits = fine->subpixel_bits;
+    return coarse->subpixel_bits < fine->subpixel_bits && with_bits == *fine;
+}
 
 /// The better first: what suffices, then what saves more. Of equals, the more specific, which stood first.
 void rank(std::span<HypothesisTest> tests) {
     std::ranges::sort(tests, {}, [](const HypothesisTest& t) {
-        return std::tuple{!t.suffices(), -t.saved_bits, t.place};
+        return std::tuple{!t.suffices(), -t.outcome.saved_bits, t.place};
     });
 }
 
 bool is_better(const HypothesisTest& a, const HypothesisTest& b) {
-    return std::pair{a.suffices(), a.saved_bits} > std::pair{b.suffices(), b.saved_bits};
+    return std::pair{a.suffices(), a.outcome.saved_bits} > std::pair{b.suffices(), b.outcome.saved_bits};
+}
+
+/// "Depth is told times 1.1." as a clause.
+std::string clause_of(std::string sentence) {
+    sentence.front() = char(std::tolower(std::uint8_t(sentence.front())));
+    sentence.pop_back();
+    return sentence;
 }
 
 class Diagnoser {
@@ -84,26 +108,19 @@ class Diagnoser {
         open_bits_of_right_pixel_ = open_bits_of_right_pixel();
     }
 
-    /// One cause after the other, each of what those before it left.
-    Diagnosis run() {
-        const std::vector<HypothesisTest> first = best_tests();
+    Diagnosis run(std::span<const EarlierCause> earlier) {
+        if (std::optional<Diagnosis> known = by_earlier(earlier)) return *known;
+        std::vector<HypothesisTest> first = best_tests();
         Diagnosis diagnosis = without_cause(first);
-        const double all_bits = bits_of_defects();
-        double saved_bits = 0;
-        std::vector<Explanation> causes;
-        for (std::vector<HypothesisTest> best = first; !best.empty(); best = best_tests()) {
-            if (is_one_of_several(best)) put_what_supposes_no_rule_first(best);
-            const HypothesisTest& cause = best.front();
-            if (!cause.is_not_refuted() || is_one_of_several(best)) return diagnosis;
-            if (!cause.suffices() && cause.saved_bits < least_part * all_bits) return diagnosis;
-            saved_bits += cause.saved_bits;
-            causes.push_back(cause.outcome);
-            const bool is_the_last = cause.leaves_nothing() || cause.leaves_little();
-            defect_set_.keep(is_the_last ? std::vector<Claim>() : left_by(*cause.hypothesis));
-            if (causes.size() == most_causes) break;
-        }
-        if (defect_set_.defect_count() == 0 && saved_bits >= least_saved_share * all_bits)
+        if (const std::vector<Explanation> causes = all_causes(first); !causes.empty()) {
             name(causes, first, diagnosis);
+            return diagnosis;
+        }
+        const auto whole = std::ranges::find_if(first, &HypothesisTest::leaves_nothing);
+        const bool is_least = whole != first.end() && whole->hypothesis->only_permits;
+        if (!is_least || !whole->explains_all()) return diagnosis;
+        std::rotate(first.begin(), whole, whole + 1);
+        name({first.front().outcome}, first, diagnosis);
         return diagnosis;
     }
 
@@ -115,29 +132,148 @@ class Diagnoser {
         return defect_set_.defect_count() > 1 || h.cell != input_.candidate.frame.size();
     }
 
+    /// Nothing where none of them explains this view.
+    std::optional<Diagnosis> by_earlier(std::span<const EarlierCause> earlier) {
+        const auto known = [&](const HypothesisTest& t) {
+            return std::ranges::find(earlier, t.outcome.name, &EarlierCause::name);
+        };
+        std::vector<HypothesisTest> tests = all_tests();
+        std::erase_if(tests, [&](const auto& t) { return known(t) == earlier.end(); });
+        const auto fails = [](const HypothesisTest& t) {
+            return !t.is_not_refuted() || !(t.leaves_nothing() || t.leaves_little());
+        };
+        for (const std::size_t round : {first_round, second_round}) {
+            if (tests.empty()) return std::nullopt;
+            ask(tests, round, CheckDetail::admissibility);
+            std::erase_if(tests, fails);
+        }
+        count_open_bits(tests);
+        std::erase_if(tests, [](const HypothesisTest& t) { return t.outcome.saved_bits <= 0; });
+        std::erase_if(tests, [&](const HypothesisTest& t) {
+            const EarlierCause& before = *known(t);
+            return before.saved_bits + t.outcome.saved_bits <
+                   least_saved_share * (before.all_bits + bits_of_defects());
+        });
+        if (tests.empty()) return std::nullopt;
+        rank(tests);
+        Diagnosis diagnosis = without_cause(tests);
+        name({tests.front().outcome}, tests, diagnosis);
+        return diagnosis;
+    }
+
+    /// From the first round's claims, while the tests keep what they explain of the second's.
+    void count_open_bits(std::vector<HypothesisTest>& tests) {
+        std::vector<HypothesisTest> weighed = tests;
+        ask(weighed, first_round, CheckDetail::open_bits);
+        for (std::size_t i = 0; i < tests.size(); ++i) {
+            tests[i].outcome.saved_bits = weighed[i].outcome.saved_bits;
+            tests[i].outcome.saved_share = weighed[i].outcome.saved_share;
+        }
+    }
+
+    /// One cause after the other, each of what those before it left. None where they do not explain the view.
+    std::vector<Explanation> all_causes(const std::vector<HypothesisTest>& first) {
+        const double all_bits = bits_of_defects();
+        double saved_bits = 0;
+        std::vector<Explanation> causes;
+        for (std::vector<HypothesisTest> best = first; !best.empty();
+             best = best_tests(least_part * all_bits)) {
+            if (is_one_of_several(best)) put_what_supposes_no_rule_first(best);
+            const HypothesisTest& cause = best.front();
+            if (!cause.is_not_refuted() || is_one_of_several(best)) return {};
+            if (!cause.suffices() && cause.outcome.saved_bits < least_part * all_bits) return {};
+            saved_bits += cause.outcome.saved_bits;
+            causes.push_back(cause.outcome);
+            const bool is_the_last = cause.leaves_nothing() || cause.leaves_little();
+            defect_set_.keep(is_the_last ? std::vector<Claim>() : left_by(*cause.hypothesis));
+            if (causes.size() == most_causes) break;
+        }
+        if (defect_set_.defect_count() > 0 || saved_bits < least_saved_share * all_bits) return {};
+        return causes;
+    }
+
     std::vector<HypothesisTest> all_tests() const {
         std::vector<HypothesisTest> tests;
         for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
             const Hypothesis& h = hypotheses_[i];
             const auto& [name, description, look_at] = h.cause;
             if (may_apply(h))
-                tests.push_back({&h, i, {.name = name, .description = description, .look_at = look_at}});
+                tests.push_back({&h,
+                                 i,
+                                 {.name = name,
+                                  .description = description,
+                                  .look_at = look_at,
+                                  .fitted = h.fits_a_limit ? clause_of(description) : ""}});
         }
         return tests;
     }
 
-    /// The best, ranked; those alone that save anything.
-    std::vector<HypothesisTest> best_tests() {
+    /// The best, ranked; those alone that save anything. Where less than `least_bits` can be saved, those
+    /// alone that suffice.
+    std::vector<HypothesisTest> best_tests(double least_bits = 0) {
         if (defect_set_.defect_count() == 0) return {};
         std::vector<HypothesisTest> tests = all_tests();
+        const bool must_suffice = bits_of_defects() < least_bits;
+        if (must_suffice) std::erase_if(tests, [](const auto& t) { return t.hypothesis->only_permits; });
+        drop_what_explains_nothing(tests);
         ask(tests, first_round, CheckDetail::admissibility);
+        if (must_suffice) std::erase_if(tests, [](const auto& t) { return !t.suffices(); });
         rank(tests);
+        drop_what_permits_more(tests);
         tests.resize(with_open_bits(tests));
-        ask(tests, second_round, CheckDetail::open_bits);
+        ask_those_that_may_be_best(tests);
         rank(tests);
-        std::erase_if(tests, [](const HypothesisTest& t) { return t.saved_bits <= 0; });
+        std::erase_if(tests, [](const HypothesisTest& t) { return t.outcome.saved_bits <= 0; });
         put_unlearned_first(tests);
         return tests;
+    }
+
+    std::size_t explained_of(std::span<const ClaimCheck> checks) const {
+        return std::size_t(std::ranges::count_if(checks, &ClaimCheck::is_admissible));
+    }
+
+    /// And what a quarter of the agreeing pixels contradict, so that it saves nothing.
+    void drop_what_explains_nothing(std::vector<HypothesisTest>& tests) {
+        const ClaimSample few = defect_set_.defects(sifting);
+        std::vector<HypothesisQuery> queries;
+        for (const HypothesisTest& t : tests) queries.push_back({t.hypothesis, few.claims});
+        const auto checks = check_claims(input_, queries, CheckDetail::admissibility);
+        std::vector<HypothesisTest> kept;
+        for (std::size_t i = 0; i < tests.size(); ++i)
+            if (explained_of(checks[i]) > 0) kept.push_back(std::move(tests[i]));
+        ask(kept, sifting, CheckDetail::admissibility);
+        std::erase_if(kept, [](const HypothesisTest& t) {
+            return t.outcome.saved_bits <= 0 && 4 * t.outcome.contradicted >= t.outcome.checked &&
+                   t.outcome.contradicted > 0;
+        });
+        tests = std::move(kept);
+    }
+
+    /// What permits more than one that leaves nothing makes the description no shorter.
+    void drop_what_permits_more(std::vector<HypothesisTest>& tests) const {
+        for (std::size_t i = 0; i < tests.size(); ++i) {
+            const Hypothesis& enough = *tests[i].hypothesis;
+            const auto is_more = [&](const HypothesisTest& t) { return permits_more(*t.hypothesis, enough); };
+            if (!tests[i].leaves_nothing() || std::ranges::none_of(tests, is_more)) continue;
+            const ClaimSample defects = defect_set_.defects(second_round);
+            const HypothesisQuery query{&enough, defects.claims};
+            const auto checks = check_claims(input_, {&query, 1}, CheckDetail::admissibility);
+            if (explained_of(checks.front()) == defects.claims.size()) std::erase_if(tests, is_more);
+        }
+    }
+
+    /// The second round.
+    void ask_those_that_may_be_best(std::vector<HypothesisTest>& ranked) {
+        if (ranked.empty()) return;
+        double together = 0;  // of as many as can be named together
+        for (const HypothesisTest& t : std::span(ranked).first(std::min(ranked.size(), most_causes)))
+            together += std::max(0.0, t.outcome.saved_share);
+        if (together < least_saved_share - clearly_less) return;
+        const double least_share = ranked.front().outcome.saved_share - clearly_less;
+        const auto rest = std::ranges::stable_partition(ranked, [&](const HypothesisTest& t) {
+            return t.outcome.saved_bits > 0 && t.outcome.saved_share > least_share;
+        });
+        ask(std::span(ranked.begin(), rest.begin()), second_round, CheckDetail::open_bits);
     }
 
     /// How many of them do as well as the first.
@@ -185,9 +321,9 @@ class Diagnoser {
     std::size_t with_open_bits(std::span<HypothesisTest> ranked) {
         std::size_t asked = 0;
         const auto may_be_best = [&](const HypothesisTest& t) {
-            return t.saved_bits > 0 && std::ranges::all_of(ranked.first(asked), [&](const auto& weighed) {
-                       return is_better(t, weighed);
-                   });
+            return t.outcome.saved_bits > 0 &&
+                   std::ranges::all_of(ranked.first(asked),
+                                       [&](const auto& weighed) { return is_better(t, weighed); });
         };
         while (asked < std::min(ranked.size(), most_weighed) && may_be_best(ranked[asked])) {
             const std::span next = ranked.subspan(asked, std::min(at_a_time, ranked.size() - asked));
@@ -211,7 +347,9 @@ class Diagnoser {
         for (std::size_t i = 0; i < tests.size(); ++i) {
             queries.push_back({tests[i].hypothesis, defects.claims});
             queries.push_back({tests[i].hypothesis, agreeing[i].claims});
-            queries.push_back({tests[i].hypothesis, right, CheckDetail::admissibility});
+            const bool needs_right = !tests[i].hypothesis->only_permits;
+            queries.push_back({tests[i].hypothesis, needs_right ? std::span(right) : std::span<const Claim>(),
+                               CheckDetail::admissibility});
         }
         const std::vector<std::vector<ClaimCheck>> checks = check_claims(input_, queries, detail);
         for (std::size_t i = 0; i < tests.size(); ++i) {
@@ -278,8 +416,8 @@ class Diagnoser {
                                  bits_of_choice(with_defects, all_cells) +
                                  description_.of_exceptions(defects.exceptions() + agreeing.exceptions()) +
                                  defects.open_bits() + agreeing.open_bits() - declared_bits;
-        test.saved_bits = description_.of_exceptions(defect_set_.pixel_count()) - told_with;
-        e.saved_share = std::min(1.0, test.saved_bits / bits_of_defects());
+        e.saved_bits = description_.of_exceptions(defect_set_.pixel_count()) - told_with;
+        e.saved_share = std::min(1.0, e.saved_bits / bits_of_defects());
     }
 
     /// What a description can spare at most: all that the defects take but what a right pixel leaves open.
@@ -351,20 +489,22 @@ class Diagnoser {
 
 }  // namespace
 
-double explained_share(const Explanation& e) {
-    return e.asked == 0 ? 0 : double(e.explained) / double(e.asked);
-}
-
 std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
                                   const RenderedFrame& reference, const Verdict& verdict,
-                                  const FrameAsGiven& given, std::span<const std::string> without) {
-    if (defect_count(verdict) == verdict.counts[std::size_t(PixelClass::wrong_attribute)])
-        return std::nullopt;
+                                  const FrameAsGiven& given, std::span<const std::string> without,
+                                  std::span<const EarlierCause> earlier) {
+    if (defect_count(verdict) == 0) return std::nullopt;
     if (scene.triangles.empty())  // there is nothing to draw wrongly
         return Diagnosis{.defects = defect_count(verdict), .cause = {}, .further = {}, .runners_up = {}};
     const DiagnosisInput input{
         scene, view, candidate, reference, given.said ? &*given.said : nullptr, given.convention};
-    return Diagnoser(input, verdict, without).run();
+    std::optional<Diagnosis> of_attributes = diagnose_attributes(input, verdict);
+    if (defect_count(verdict) == verdict.counts[std::size_t(PixelClass::wrong_attribute)])
+        return of_attributes;
+    Diagnosis diagnosis = Diagnoser(input, verdict, without).run(earlier);
+    const bool has_room = diagnosis.cause && diagnosis.further.size() + 1 < most_causes;
+    if (has_room && of_attributes && of_attributes->cause) diagnosis.further.push_back(*of_attributes->cause);
+    return diagnosis;
 }
 
 }  // namespace zproof

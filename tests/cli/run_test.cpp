@@ -57,6 +57,25 @@ TEST(Run, SaysTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(comparable(folder, "1"), comparable(folder, "5"));
 }
 
+/// A promise that it does not keep makes views fail.
+TEST(Run, TellsOneCauseOfAllViewsOrSeeksNone) {
+    const Folder folder;
+    const Words words{"room", "--oracle", "none", "--precision", "raster,subpixel_bits=12"};
+    EXPECT_EQ(run(folder, run_words(words)).exit_code, 1);
+    const json sought = json::parse(folder.read("zproof-out/results.json"));
+    EXPECT_EQ(sought.at("/causes/0/name"_json_pointer), "only 8 sub-pixel bits");
+    EXPECT_EQ(sought.at("/causes/0/views"_json_pointer), sought.at("/summary/defective"_json_pointer));
+    EXPECT_NE(folder.read("zproof-out/junit.xml").find("only 8 sub-pixel bits. Look at"), std::string::npos);
+    Words without = words;
+    without.push_back("--no-diagnosis");
+    const Ran ran = run(folder, run_words(without));
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_NE(ran.out.find("\nNo cause was sought (--no-diagnosis).\n"), std::string::npos) << ran.out;
+    const json left_out = json::parse(folder.read("zproof-out/results.json"));
+    EXPECT_EQ(left_out.at("/causes"_json_pointer), json::array());
+    for (const json& view : left_out.at("views")) EXPECT_EQ(view.at("diagnosis"), nullptr);
+}
+
 TEST(Run, GoesOnPastAnUnreadableScene) {
     const Folder folder;
     folder.write("models/a.gltf", "{");

@@ -5,8 +5,11 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <ostream>
+#include <span>
+#include <variant>
 
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"
@@ -30,10 +33,11 @@ class DiagnosisFixture {
     Frame drawn_by(const rasterizer::Rules& rules) const {
         return rasterizer::render_by(rules, loaded_.scene, view_);
     }
-    std::optional<Diagnosis> diagnosis_of(const Frame& frame) const {
-        const RenderedFrame ours{frame, rasterizer::precision()},
-            theirs{reference_, oracle::embree_precision()};
-        return diagnose(scene(), view_, ours, theirs, judge(scene(), view_, ours, theirs));
+    std::optional<Diagnosis> diagnosis_of(const Frame& frame,
+                                          const Precision& declared = rasterizer::precision(),
+                                          std::span<const EarlierCause> earlier = {}) const {
+        const RenderedFrame ours{frame, declared}, theirs{reference_, oracle::embree_precision()};
+        return diagnose(scene(), view_, ours, theirs, judge(scene(), view_, ours, theirs), {}, {}, earlier);
     }
 
   private:
@@ -136,6 +140,15 @@ TEST(Diagnosis, TellsTruncationFromFewerBits) {
                  "vertices are snapped up and left");
 }
 
+TEST(Diagnosis, TellsTheNumberThatItFitted) {
+    const DiagnosisFixture fixture("room", 0);
+    Frame frame = fixture.drawn_by(rasterizer::correct_rules);
+    for (float& depth : frame.camera_depth.pixels()) depth *= 1.125f;
+    const auto diagnosis = fixture.diagnosis_of(frame);
+    expect_cause(diagnosis, "depth is scaled by a constant");
+    EXPECT_EQ(diagnosis->cause->fitted.substr(0, 25), "depth is told times 1.125");
+}
+
 TEST(Diagnosis, CountsWhatWasAsked) {
     const DiagnosisFixture fixture("room", 0);
     const auto few = fixture.diagnosis_of(faulty(fixture, "row_lost"));
@@ -149,6 +162,37 @@ TEST(Diagnosis, CountsWhatWasAsked) {
     EXPECT_EQ(many->cause->asked, 1000u);
     EXPECT_GT(explained_share(*many->cause), 0.98) << "the lowest row has come from nowhere";
     EXPECT_LT(explained_share(*many->cause), 1);
+}
+
+/// Declares 12 sub-pixel bits of a picture that has 8.
+std::optional<Diagnosis> diagnosis_of_few_bits(std::size_t view, std::span<const EarlierCause> earlier) {
+    const DiagnosisFixture fixture("room", view);
+    const Precision declared = RasterPrecision{.subpixel_bits = 12};
+    return fixture.diagnosis_of(fixture.drawn_by(rasterizer::correct_rules), declared, earlier);
+}
+
+/// Nine bits would spare more, for they leave few; but they leave some.
+TEST(Diagnosis, NamesWhatLeavesNothingWhereTheBestLeavesSome) {
+    expect_cause(diagnosis_of_few_bits(1, {}), "only 8 sub-pixel bits");
+}
+
+TEST(Diagnosis, TakesWhatExplainedEarlierViewsWhereItSparesEnoughOfAll) {
+    expect_cause(diagnosis_of_few_bits(0, {}), "");
+    const std::array earlier{EarlierCause{"depth has the wrong sign", 9e6, 1e7},
+                             EarlierCause{"only 8 sub-pixel bits", 9e6, 1e7}};
+    const auto diagnosis = diagnosis_of_few_bits(0, earlier);
+    expect_cause(diagnosis, "only 8 sub-pixel bits");
+    EXPECT_EQ(diagnosis->cause->asked, 1000u);
+    EXPECT_LT(diagnosis->cause->saved_share, 0.75);
+    const std::array poor{EarlierCause{"only 8 sub-pixel bits", 7.4e6, 1e7}};
+    expect_cause(diagnosis_of_few_bits(0, poor), "");
+}
+
+TEST(Diagnosis, DoesNotBelieveEarlierViewsWhereAPixelIsLeft) {
+    const DiagnosisFixture fixture("room", 0);
+    const std::array earlier{EarlierCause{"depth is scaled by a constant", 9e6, 1e7}};
+    expect_cause(fixture.diagnosis_of(faulty(fixture, "transposed"), rasterizer::precision(), earlier),
+                 "the image is transposed");
 }
 
 TEST(Diagnosis, OfASceneWithoutTrianglesNamesNoCause) {

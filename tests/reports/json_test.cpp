@@ -132,9 +132,24 @@ TEST(Json, KeepsEveryBitOfHardNumbers) {
     EXPECT_EQ(room.reference_edges.max_error_over_bound, 0.25);
     EXPECT_EQ(room.diagnosis->cause->name, "a row is <lost>");
     EXPECT_EQ(room.diagnosis->runners_up.at(0).checked, 1000u);
+    EXPECT_EQ(room.diagnosis->further.at(0).fitted, "1 of <16>");
     EXPECT_FALSE(back.views[0].diagnosis);
     EXPECT_EQ(back.views[2].scene, hostile_name);
     EXPECT_EQ(back.views[3].outcome, Outcome::not_judged);
+}
+
+TEST(Json, TellsTheCausesOfTheRunAndWhetherTheyWereSought) {
+    Results results = sample_results();
+    results.diagnosis = CauseSearch::left_out;
+    results.views[1].diagnosis->cause->saved_bits = 56;
+    const Json root = Json::parse(to_json(results));
+    EXPECT_EQ(root.at("/causes/0/name"_json_pointer), "a row is <lost>");
+    EXPECT_EQ(root.at("/causes/0/views"_json_pointer), 1);
+    EXPECT_EQ(root.at("/causes/0/spared_bits"_json_pointer), 56);
+    EXPECT_EQ(root.at("/run/diagnosis"_json_pointer), false);
+    const Results back = results_from_json(to_json(results));
+    EXPECT_EQ(back.diagnosis, CauseSearch::left_out);
+    EXPECT_EQ(back.views[1].diagnosis->cause->saved_bits, 56);
 }
 
 TEST(Json, HasAHistogramOnlyWhereSomethingWasCounted) {
@@ -221,7 +236,7 @@ TEST(Json, RefusesWhatItCannotMean) {
 /// Of no use to the reader: sums of what stands elsewhere, and a declaration, which it keeps as text.
 bool is_passed_over(const std::string& place) {
     const auto has = [&](const char* part) { return place.find(part) != std::string::npos; };
-    return has("/precision/") || place.starts_with("/summary/") ||
+    return has("/precision/") || place.starts_with("/summary/") || place.starts_with("/causes/") ||
            (place.ends_with("/defects") && !has("/diagnosis/"));
 }
 

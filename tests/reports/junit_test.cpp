@@ -66,6 +66,18 @@ TEST(JUnit, ADefectIsAFailureOfItsClass) {
     EXPECT_EQ(cases[1].get<std::string>("system-out"), "[[ATTACHMENT|scenes/room-corner/view.webp]]");
 }
 
+TEST(JUnit, EverySuiteTellsTheCauseOfTheRun) {
+    const Tree suites = parsed(to_junit(sample_results()));
+    for (const Tree& suite : children(suites, "testsuite")) {
+        const Tree property = suite.get_child("properties.property");
+        EXPECT_EQ(attribute(property, "name"), "cause");
+        EXPECT_EQ(attribute(property, "value"), "Likely cause: a row is <lost>. Look at <rows>.");
+    }
+    Results proven = sample_results();
+    proven.views.resize(1);
+    EXPECT_EQ(to_junit(proven).find("<propert"), std::string::npos);
+}
+
 TEST(JUnit, NothingJudgedIsAFailureAndUnreadableAnError) {
     const Tree suites = parsed(to_junit(sample_results()));
     const Tree empty = children(suite_named(suites, "embree"), "testcase")[2];

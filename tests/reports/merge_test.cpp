@@ -104,6 +104,7 @@ TEST(Merge, RefusesWhatIsNotOneRun) {
     is_about(changed([](Results& r) { r.waivers.pop_back(); }), "waivers");
     is_about(changed([](Results& r) { r.today = "2026-04-11"; }), "--now");
     is_about(changed([](Results& r) { r.strictness = Strictness::strict; }), "--strict");
+    is_about(changed([](Results& r) { r.diagnosis = CauseSearch::left_out; }), "--no-diagnosis");
     is_about(changed([](Results& r) { r.ending = Ending::interrupted; }), "interrupted");
     is_about(changed([](Results& r) { r.ending = Ending::stopped; }), "was stopped; run shard");
 }

@@ -72,6 +72,7 @@ ViewResult room() {
                                        "Look at <rows>.", 0.875},
                   .further = {{"a <tile> is lost", "Whole tiles are background.", 1, 1, 0, 9, "", 1}},
                   .runners_up = {{"only 4 sub-pixel bits", "Declared: 8.", 1, 2, 3, 1000, "", 0.5}}};
+    v.diagnosis->further[0].fitted = "1 of <16>";
     v.notes = {"3 lines were skipped."};
     v.oracles = {OracleResult{.name = "povray", .absent = "", .worst = {v.worst[0]}},
                  OracleResult{.name = "opengl", .absent = "no <device>"}};

@@ -50,10 +50,13 @@ TEST(Terminal, TellsTheLikelyCause) {
     EXPECT_NE(
         summary_table(results, {})
             .find("    2 hole\n    likely cause: a row is <lost> (explains 100% of 2 defects); of what it "
-                  "leaves: a <tile> is lost (explains 100%). Look at <rows>.\n"),
+                  "leaves: a <tile> is lost: 1 of <16> (explains 100%). Look at <rows>.\n"),
         std::string::npos);
     results.views[1].diagnosis->runners_up[0].saved_share = 0.87;
+    EXPECT_EQ(summary_table(results, {}).find("as good"), std::string::npos) << "it explains half as much";
+    results.views[1].diagnosis->runners_up[0].explained = 2;
     EXPECT_NE(summary_table(results, {}).find("; as good: only 4 sub-pixel bits;"), std::string::npos);
+    results.views[1].diagnosis->runners_up[0].explained = 1;
     results.views[1].diagnosis->cause.reset();
     EXPECT_NE(summary_table(results, {})
                   .find("    no cause is certain; at best, only 4 sub-pixel bits (would explain 50.0% of 2 "
