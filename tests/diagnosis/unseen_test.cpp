@@ -29,20 +29,36 @@ std::optional<Diagnosis> diagnosed(const CasterDefect& defect) {
     return std::nullopt;
 }
 
+/// The cause, and what is told with it as good: where the frame does not tell which it is.
+std::vector<std::string> told_causes(const Diagnosis& diagnosis) {
+    std::vector<std::string> told{diagnosis.cause->name};
+    if (diagnosis.runners_up.empty()) return told;
+    const Explanation& next = diagnosis.runners_up.front();
+    const bool is_as_good =
+        next.saved_share > diagnosis.cause->saved_share - alike_shares &&
+        next.explained * diagnosis.cause->asked >= diagnosis.cause->explained * next.asked;
+    if (is_as_good) told.push_back(next.name);
+    return told;
+}
+
 TEST(UnseenDefects, GetTheirTrueNameOrNone) {
     int named = 0;
     for (const CasterDefect& defect : caster_defects()) {
         const auto diagnosis = diagnosed(defect);
         EXPECT_EQ(diagnosis.has_value(), defect.name != "none") << defect.name;
-        const std::string said = diagnosis && diagnosis->cause ? diagnosis->cause->name : "";
-        std::cout << defect.name << ": " << (said.empty() ? "-" : said) << std::endl;
-        if (said.empty()) continue;
+        const bool is_named = diagnosis && diagnosis->cause;
+        std::cout << defect.name << ": " << (is_named ? diagnosis->cause->name : "-") << std::endl;
+        if (!is_named) continue;
         ++named;
-        EXPECT_TRUE(
-            std::ranges::any_of(defect.true_names, [&](const std::string& t) { return said.starts_with(t); }))
-            << defect.name << " is called '" << said << "'";
+        EXPECT_TRUE(std::ranges::any_of(told_causes(*diagnosis),
+                                        [&](const std::string& said) {
+                                            return std::ranges::any_of(
+                                                defect.true_names,
+                                                [&](const std::string& t) { return said.starts_with(t); });
+                                        }))
+            << defect.name << " is called '" << diagnosis->cause->name << "'";
     }
-    EXPECT_GE(named, 10);
+    EXPECT_GE(named, 18);
 }
 
 }  // namespace
