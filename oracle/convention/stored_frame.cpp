@@ -9,9 +9,9 @@
 #include "image_io/image_io.h"
 #include "image_io/module.h"
 #include "image_io/raw_frame.h"
-#include "scenes/camera_depth.h"
 #include "oracle/convention/frame_bytes.h"
 #include "oracle/isolated.h"
+#include "scenes/camera_depth.h"
 
 namespace zproof::oracle {
 
