@@ -198,12 +198,13 @@ class Diagnoser {
             const Hypothesis& h = hypotheses_[i];
             const auto& [name, description, look_at] = h.cause;
             if (may_apply(h))
-                tests.push_back({&h,
-                                 i,
-                                 {.name = name,
-                                  .description = description,
-                                  .look_at = look_at,
-                                  .fitted = h.fits_a_limit ? clause_of(description) : ""}});
+                tests.push_back(
+                    {&h,
+                     i,
+                     {.name = name,
+                      .description = description,
+                      .look_at = look_at,
+                      .fitted = h.fits_a_limit || h.tells_numbers ? clause_of(description) : ""}});
         }
         return tests;
     }
@@ -467,14 +468,16 @@ class Diagnoser {
         return diagnosis;
     }
 
-    /// Names the best first, and its runners-up.
+    /// Names the best first, and its runners-up; not those that do as well because they fit more numbers.
     static void name(const std::vector<Explanation>& causes, const std::vector<HypothesisTest>& first_ranked,
                      Diagnosis& diagnosis) {
         diagnosis.cause = causes.front();
         diagnosis.further.assign(causes.begin() + 1, causes.end());
         diagnosis.runners_up.clear();
-        for (std::size_t i = 1; i < first_ranked.size(); ++i)
-            diagnosis.runners_up.push_back(first_ranked[i].outcome);
+        const HypothesisTest& cause = first_ranked.front();
+        for (const HypothesisTest& t : std::span(first_ranked).subspan(1))
+            if (!t.suffices() || t.hypothesis->learned_bits <= cause.hypothesis->learned_bits)
+                diagnosis.runners_up.push_back(t.outcome);
     }
 
     const DiagnosisInput& input_;

@@ -48,6 +48,7 @@ struct Hypothesis {
     double learned_bits = 0;
     bool fits_a_limit =
         false;  ///< Is what it learned one number, such as a limit that it fits to the frames?
+    bool tells_numbers = false;  ///< Does the description tell the numbers that it fits to the frames?
     /// Does it read a claim by the pixels around? At outlines it may be mistaken.
     bool reads_surroundings = false;
     bool supposes_no_rule = false;  ///< Does it say what is missing, and not why?

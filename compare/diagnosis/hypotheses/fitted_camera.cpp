@@ -83,9 +83,9 @@ FittedCamera posed(const View& declared, const glm::dvec3& step, const glm::dvec
 }
 
 std::string times(double more) { return with_digits(1 + more, 5); }
-std::string px_pair(double x, double y) {
-    return "(" + with_digits(x, 4) + ", " + with_digits(y, 4) + ") px";
-}
+/// What a fit leaves of 0 is told as 0.
+std::string fitted_text(double value) { return with_digits(std::round(value * 1e4) / 1e4, 4); }
+std::string px_pair(double x, double y) { return "(" + fitted_text(x) + ", " + fitted_text(y) + ") px"; }
 
 constexpr const char* focal_length =
     "Look at the focal length and the field of view: half an angle, tan of half the angle, degrees or "
@@ -95,15 +95,14 @@ constexpr const char* principal_point =
     "1/2).";
 
 Cause scaled_cause(const std::string& axes, const std::string& how) {
-    return {"the window is scaled" + axes, "The window is " + how + ": fitted to the depths.", focal_length};
+    return {"the window is scaled" + axes, "The window is " + how + ".", focal_length};
 }
 
 Cause shifted_cause(const Numbers& n) {
     const bool is_fraction = std::hypot(n[0], n[1]) <= 1;
     return {
         is_fraction ? "the image is shifted by a fraction of a pixel" : "the principal point lies elsewhere",
-        "Each pixel holds what belongs " + px_pair(n[0], n[1]) +
-            " from its centre (x right, y down): fitted to the depths.",
+        "Each pixel holds what belongs " + px_pair(n[0], n[1]) + " from its centre (x right, y down).",
         principal_point};
 }
 
@@ -138,8 +137,7 @@ constexpr std::array window_models{
                 [](const View&, const Numbers& n, double) {
                     return Cause{"the window is scaled and lies elsewhere",
                                  "The window is " + times(n[0]) + " times as wide and " + times(n[1]) +
-                                     " times as high, and stands " + px_pair(n[2], n[3]) +
-                                     " aside: fitted to the depths.",
+                                     " times as high, and stands " + px_pair(n[2], n[3]) + " aside.",
                                  focal_length};
                 }}};
 
@@ -147,14 +145,14 @@ constexpr const char* pose =
     "Look at the view matrix and where it comes from: another frame, the other eye, a rounded file.";
 
 std::string moved_text(const Numbers& n, double unit) {
-    return "It stands (" + with_digits(n[0] * unit, 4) + ", " + with_digits(n[1] * unit, 4) + ", " +
-           with_digits(n[2] * unit, 4) + ") scene units right, up and back of its place";
+    return "It stands (" + fitted_text(n[0] * unit) + ", " + fitted_text(n[1] * unit) + ", " +
+           fitted_text(n[2] * unit) + ") scene units right, up and back of its place";
 }
 
 std::string turned_text(double x, double y, double z) {
     constexpr double degrees = 57.29577951308232;
-    return "turned by (" + with_digits(x * degrees, 4) + ", " + with_digits(y * degrees, 4) + ", " +
-           with_digits(z * degrees, 4) + ") degrees about its axes";
+    return "turned by (" + fitted_text(x * degrees) + ", " + fitted_text(y * degrees) + ", " +
+           fitted_text(z * degrees) + ") degrees about its axes";
 }
 
 /// Of the pose alone; what takes fewer numbers first.
@@ -164,26 +162,23 @@ constexpr std::array pose_models{
                     return posed(v, unit * glm::dvec3(n[0], n[1], n[2]), glm::dvec3(0));
                 },
                 [](const View&, const Numbers& n, double unit) {
-                    return Cause{"the camera stands elsewhere",
-                                 moved_text(n, unit) + ": fitted to the depths.", pose};
+                    return Cause{"the camera stands elsewhere", moved_text(n, unit) + ".", pose};
                 }},
-    CameraModel{3,
-                [](const View& v, const Numbers& n, double) {
-                    return posed(v, glm::dvec3(0), {n[0], n[1], n[2]});
-                },
-                [](const View&, const Numbers& n, double) {
-                    return Cause{"the camera is turned",
-                                 "It is " + turned_text(n[0], n[1], n[2]) + ": fitted to the depths.", pose};
-                }},
+    CameraModel{
+        3,
+        [](const View& v, const Numbers& n, double) {
+            return posed(v, glm::dvec3(0), {n[0], n[1], n[2]});
+        },
+        [](const View&, const Numbers& n, double) {
+            return Cause{"the camera is turned", "It is " + turned_text(n[0], n[1], n[2]) + ".", pose};
+        }},
     CameraModel{6,
                 [](const View& v, const Numbers& n, double unit) {
                     return posed(v, unit * glm::dvec3(n[0], n[1], n[2]), {n[3], n[4], n[5]});
                 },
                 [](const View&, const Numbers& n, double unit) {
                     return Cause{"the camera stands elsewhere and is turned",
-                                 moved_text(n, unit) + ", " + turned_text(n[3], n[4], n[5]) +
-                                     ": fitted to the depths.",
-                                 pose};
+                                 moved_text(n, unit) + ", " + turned_text(n[3], n[4], n[5]) + ".", pose};
                 }}};
 
 struct FitSample {
@@ -384,6 +379,7 @@ std::vector<Hypothesis> best_of(const DiagnosisInput& input, const CameraFit& fi
     Hypothesis h = shown_instead(input, model.cause(input.view, best->numbers, fit.scene_depth()),
                                  declared_scene(input), camera.view);
     h.learned_bits = double(model.count) * bits_of_a_number;
+    h.tells_numbers = true;
     return {h};
 }
 

@@ -81,6 +81,7 @@ std::vector<Hypothesis> renamed(const DiagnosisInput& input) {
             return is_renamed ? std::nullopt : std::optional(label);
         });
     h.learned_bits = 2 * double(changed.size()) * bits_of_an_id(input);
+    h.tells_numbers = true;
     return {h};
 }
 
@@ -136,6 +137,7 @@ std::vector<Hypothesis> of_background(const DiagnosisInput& input) {
              " instead of +infinity.",
          "Look at the depth buffer's clear value and at how it is turned back: background is +infinity."});
     h.learned_bits = bits_of_a_number;
+    h.tells_numbers = true;
     h.restate = [depth, is_nan](Claim claim) -> std::optional<Claim> {
         const float own = claim.answer.camera_depth;
         if (own == background_depth) return std::nullopt;
