@@ -80,9 +80,11 @@ bool ConservativeTest::is_outside(const Neighbour& n, const PixelOffset& at) con
     return std::ranges::any_of(n.edges, is_below) && (n.is_trusted || std::ranges::any_of(n.edges, is_above));
 }
 
+/// By its plane; not where its range says that it hides the answer, as under another rule of drawing.
 bool ConservativeTest::is_behind_answer(const Neighbour& n, const PixelOffset& at) const {
-    return n.image && value_at(answer_->image->inverse_depth - n.image->inverse_depth, at) >
-                          inverse_depth_error(n) + inverse_depth_error(*answer_);
+    return n.image && n.least_inverse_depth <= answer_->greatest_inverse_depth &&
+           value_at(answer_->image->inverse_depth - n.image->inverse_depth, at) >
+               inverse_depth_error(n) + inverse_depth_error(*answer_);
 }
 
 /// Does no plane cut it in the square?

@@ -48,6 +48,21 @@ bool is_within_sides_in_parallel(const View& view, const CameraTriangle& t) {
     });
 }
 
+/// A triangle does not show where its box ends less than `limit_px` beyond the centre.
+Shown with_short_boxes(double limit_px, bool in_x, bool in_y) {
+    const Scene scene = yard();
+    const View view = view_of_yard();
+    const auto covers = [=](const CameraTriangle& t, int x, int y) {
+        glm::dvec2 end(-1e9);
+        for (const glm::dvec3& p : t.p_camera) {
+            if (p.z < 1e-3) return true;
+            end = max(end, raster_position(view, p));
+        }
+        return !(in_x && end.x - (x + 0.5) < limit_px) && !(in_y && end.y - (y + 0.5) < limit_px);
+    };
+    return {scene, view, cast(scene, view, {.covers = covers})};
+}
+
 View near_the_ground() {
     View view = view_of_yard();
     view.camera.near_depth = 3.9;
@@ -259,6 +274,26 @@ std::vector<FieldFrame> frames_of_drawing() {
          {"triangles show only where they cover a pixel whole"},
          "zproof #43: conservative rasterization, the inner one",
          [] { return grown(-0.5); }},
+        {"box_without_its_last_column",
+         {"triangles lose the last column of their bounding box"},
+         "a loop that ends before the last centre",
+         [] { return with_short_boxes(1, true, false); }},
+        {"box_without_its_last_row",
+         {"triangles lose the last row of their bounding box"},
+         "a loop that ends before the pixel in which the box ends",
+         [] { return with_short_boxes(0.5, false, true); }},
+        {"box_without_both",
+         {"triangles lose the last column and row of their bounding box"},
+         "the same, for both",
+         [] { return with_short_boxes(0.5, true, true); }},
+        {"biased_depth_test",
+         {"a later triangle hides an earlier one only by a bias"},
+         "a depth test with an epsilon",
+         [] {
+             const Scene scene = yard();
+             const View view = view_of_yard();
+             return Shown{scene, view, cast(scene, view, {.lead = 0.04})};
+         }},
         {"stale_hierarchical_z",
          {"what is hidden is decided for blocks of 8 px"},
          "zproof #43: hierarchical z that is stale after a near triangle",

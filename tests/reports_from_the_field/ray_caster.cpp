@@ -115,9 +115,11 @@ Frame cast(const Scene& scene, const View& view, const Habits& habits) {
                 const std::optional<double> depth =
                     habits.grown_px != 0 ? met_grown(view, at, t, habits.grown_px)
                                          : met(ray_through(view, at), t, habits.least_determinant);
+                if (habits.covers && !habits.covers(t, x, y)) continue;
+                const bool is_first = frame.primitive.at(x, y) == PrimitiveId::none;
                 const bool is_seen =
                     depth && *depth >= view.camera.near_depth &&
-                    (*depth < nearest.at(x, y) ||
+                    (*depth + (is_first ? 0 : habits.lead) < nearest.at(x, y) ||
                      (*depth == nearest.at(x, y) && frame.primitive.at(x, y) == PrimitiveId::none));
                 if (!is_seen) continue;
                 nearest.at(x, y) = *depth;

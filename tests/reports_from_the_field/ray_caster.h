@@ -29,6 +29,8 @@ struct Habits {
     double least_determinant = 0;  ///< of edges and ray, whose component ahead is 1
     /// Edges are moved outwards so far, px, in x and in y. Triangles must lie before the eye.
     double grown_px = 0;
+    std::function<bool(const CameraTriangle&, int x, int y)> covers{};  ///< of the pixels that it meets
+    double lead = 0;  ///< by so much must a later triangle lie nearer than what is drawn
 };
 
 /// The nearest triangle between near and far at each pixel; of equals, the first.

@@ -77,7 +77,8 @@ const auto* const table = testing::AddGlobalTestEnvironment(new Table);
 
 std::string told(const Explanation& e) {
     return e.name + ": " + std::to_string(e.explained) + "/" + std::to_string(e.asked) +
-           ", contradicted by " + std::to_string(e.contradicted) + "/" + std::to_string(e.checked) + "\n";
+           ", contradicted by " + std::to_string(e.contradicted) + "/" + std::to_string(e.checked) +
+           ", permits " + std::to_string(e.permitted) + ", spares " + std::to_string(e.saved_share) + "\n";
 }
 
 std::string told(const Diagnosis& d) {

@@ -107,10 +107,43 @@ Hypothesis over(const DiagnosisInput& input) {
     return h;
 }
 
+/// Of a triangle's bounding box the last column, the last row, or both are not drawn: those whose centres it
+/// holds last, or those that its side lies in.
+std::vector<Hypothesis> short_boxes(const DiagnosisInput& input) {
+    struct Sides {
+        const char* which;
+        bool right, bottom;
+    };
+    std::vector<Hypothesis> all;
+    for (const auto& [which, right, bottom] :
+         {Sides{"last column", true, false}, Sides{"last row", false, true},
+          Sides{"last column and row", true, true}})
+        for (const double limit_px : {1.0, half_pixel}) {
+            Hypothesis h = as_declared(
+                input, {std::string("triangles lose the ") + which + " of their bounding box",
+                        limit_px == 1 ? "The last pixels whose centres the box holds are not drawn."
+                                      : "The pixels in which the box ends are not drawn.",
+                        "Look at the loop over the bounding box: its end belongs to it, or is rounded up."});
+            h.amend = [=](Neighbourhood& around, PrimitiveId) {
+                std::erase_if(around.neighbours, [&](Neighbour& n) {
+                    if (!n.image) return false;
+                    const Box box = box_of(n);
+                    const double end_px = std::min(right ? box.right : 2, bottom ? box.bottom : 2);
+                    n.may_be_missing |= end_px < limit_px + around.eps_px;
+                    return end_px < limit_px - around.eps_px;
+                });
+            };
+            all.push_back(std::move(h));
+        }
+    return all;
+}
+
 }  // namespace
 
 std::vector<Hypothesis> hypotheses_of_coverage(const DiagnosisInput& input) {
-    return {over(input), under(input)};
+    std::vector<Hypothesis> all{over(input), under(input)};
+    for (Hypothesis& h : short_boxes(input)) all.push_back(std::move(h));
+    return all;
 }
 
 }  // namespace zproof

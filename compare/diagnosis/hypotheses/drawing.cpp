@@ -4,6 +4,8 @@
 #include <unordered_set>
 
 #include "compare/diagnosis/hypotheses/catalogue.h"
+#include "compare/diagnosis/hypotheses/plane_depth.h"
+#include "frame/number_text.h"
 #include "math/interval.h"
 #include "math/rational.h"
 
@@ -54,6 +56,48 @@ std::vector<Hypothesis> of_the_depth_test(const DiagnosisInput& input) {
                       ordered_by([](const Neighbour& n) {
                           return Range{-double(n.triangle), -double(n.triangle)};
                       }))};
+}
+
+/// The most by which an earlier triangle that hides a later one lies behind it; 0: none does.
+double largest_lead(const DiagnosisInput& input) {
+    const Frame &ours = input.candidate.frame, &theirs = input.reference.frame;
+    const auto told = ours.primitive.pixels(), seen = theirs.primitive.pixels();
+    double most = 0;
+    for (std::size_t i = 0; i < told.size(); ++i) {
+        const double lead = double(ours.camera_depth.pixels()[i]) - double(theirs.camera_depth.pixels()[i]);
+        if (told[i] < seen[i] && seen[i] != PrimitiveId::none && std::isfinite(lead))
+            most = std::max(most, lead);
+    }
+    return most;
+}
+
+/// What is drawn later must lie nearer by the bias. Each triangle's range is shifted against the answer's.
+std::vector<Hypothesis> biased_test(const DiagnosisInput& input) {
+    const double bias = largest_lead(input);
+    if (bias <= 0) return {};
+    Hypothesis h =
+        with_rule(input,
+                  {"a later triangle hides an earlier one only by a bias",
+                   "It must lie nearer by about " + with_digits(bias, 4) + ".",
+                   "Look at depth bias and polygon offset, and at a comparison that adds an epsilon."},
+                  [bias](Neighbourhood& around, PrimitiveId answer) {
+                      const Projection projection = around.view.camera.projection;
+                      const auto inverse = [&](double depth) {
+                          if (projection == Projection::parallel) return -depth;
+                          return depth > 0 ? 1 / depth : std::numeric_limits<double>::infinity();
+                      };
+                      for (Neighbour& n : around.neighbours) {
+                          const PrimitiveId id{n.triangle};
+                          const double shift = id < answer ? -bias : id > answer ? bias : 0;
+                          const ReportedDepth range = plane_depth(n, projection, {0, 0});
+                          n.least_inverse_depth = inverse(range.high + shift);
+                          n.greatest_inverse_depth = inverse(range.low + shift);
+                          n.gradient = 0;
+                      }
+                  });
+    h.learned_bits = bits_of_a_number;
+    h.fits_a_limit = true;
+    return {h};
 }
 
 enum class Facing { front, back, edge_on };
@@ -197,6 +241,7 @@ std::vector<Hypothesis> hypotheses_of_drawing(const DiagnosisInput& input) {
     all.push_back(dropped(input, "back", Facing::back));
     all.push_back(dropped(input, "front", Facing::front));
     for (Hypothesis& h : of_the_depth_test(input)) all.push_back(std::move(h));
+    for (Hypothesis& h : biased_test(input)) all.push_back(std::move(h));
     all.push_back(lost_triangles(input));
     return all;
 }
