@@ -51,7 +51,7 @@ const std::map<std::string, Names> may_include_in_compare{
     {"agree", {"bounds"}},
     {"attributes", {"bounds", "admissible"}},
     {"adjudicate", {"bounds", "admissible", "agree", "attributes"}},
-    {"diagnosis", {"bounds", "admissible", "adjudicate", "attributes"}},
+    {"diagnosis", {"bounds", "admissible", "adjudicate", "attributes", "labels"}},
     {"explanation", {"bounds", "admissible", "agree", "adjudicate"}},
     {"labels", {"bounds", "admissible", "adjudicate"}},
     {"waivers", {}},
