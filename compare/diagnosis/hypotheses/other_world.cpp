@@ -65,12 +65,16 @@ OtherWorld::Search& OtherWorld::search() {
     return *search_;
 }
 
+bool OtherWorld::has(PrimitiveId id) const {
+    return id == PrimitiveId::none || std::size_t(id) < scene_->triangles.size();
+}
+
 /// Looks at the claimed triangle alone.
 bool OtherWorld::may_show(const Claim& claim) const {
     const PrimitiveId id = claim.answer.primitive;
     const float depth = claim.answer.camera_depth;
     if (id == PrimitiveId::none) return depth == background_depth;
-    if (std::size_t(id) >= scene_->triangles.size() || std::isnan(depth)) return false;
+    if (!has(id) || std::isnan(depth)) return false;
     if (depth < 0 && view_.camera.near_depth >= 0) return false;
     const CornersWorld p_world = corners_of(*scene_, std::uint32_t(id));
     const Neighbour seen = neighbour_of(ViewRay<double>(view_, claim.x, claim.y), bounds_, p_world);
@@ -157,7 +161,7 @@ Hypothesis decided_by(const DiagnosisInput& input, Cause cause, const std::share
     Hypothesis h = as_declared(input, std::move(cause));
     const auto admitted = [world, admits = std::move(admits)](const Claim& claim) -> std::optional<Claim> {
         for (const Claim& reading : world->readings_of(claim))
-            if (admits(reading)) return reading;
+            if (world->has(reading.answer.primitive) && admits(reading)) return reading;
         return std::nullopt;
     };
     h.restate = [admitted](const Claim& claim) -> std::optional<Claim> {

@@ -31,6 +31,8 @@ class OtherWorld {
     Neighbourhood around(const Claim& claim, double reach_px);
     /// The depths that the claimed triangle may have at the claim's pixel.
     ReportedDepth depth_of(const Claim& claim) const;
+    /// Is it a triangle of that scene, or the background?
+    bool has(PrimitiveId id) const;
     const ViewBounds& bounds() const { return bounds_; }
     const Scene& scene() const { return *scene_; }
 
