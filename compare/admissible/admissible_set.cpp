@@ -152,7 +152,9 @@ template <class Number>
 int AdmissibleSet<Number>::locus_of(const std::array<int, 2>& ends) {
     if constexpr (std::is_same_v<Number, double>) return -1;
     const auto place = [&](int corner) { return corners_[std::size_t(corner)].p_world; };
+    slopes_.push_back(slope_of(place(ends[0]), place(ends[1])));
     const auto along = [&](const MeshEdge& other) {
+        if (are_turned(slopes_[std::size_t(&other - edges_.data())], slopes_.back())) return false;
         return collinear(place(other.ends[0]), place(other.ends[1]), place(ends[0])) &&
                collinear(place(other.ends[0]), place(other.ends[1]), place(ends[1]));
     };

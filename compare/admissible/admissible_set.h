@@ -161,6 +161,7 @@ class AdmissibleSet {
         int next_of_end;  ///< id of another with the same first end, or -1
     };
     std::vector<MeshEdge> edges_;  ///< by id
+    std::vector<Slope> slopes_;    ///< of the edges
     std::vector<std::optional<NeighbourImage>> drawn_;
     std::vector<std::optional<std::vector<Piece>>> pieces_;  ///< in this square
     std::vector<size_t> front_to_back_;

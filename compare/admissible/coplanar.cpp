@@ -70,6 +70,17 @@ bool collinear(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     }
 }
 
+Slope slope_of(const glm::vec3& a, const glm::vec3& b) {
+    constexpr glm::dvec3 above{1, 0.3, -0.7},
+        below{-0.4, 1, 0.6};  // no direction of a grid is square to them
+    static const double rounding = 2 * gamma(8, unit_roundoff_float64);
+    const glm::dvec3 d = glm::dvec3(b) - glm::dvec3(a);
+    const double size = std::abs(d.x) + std::abs(d.y) + std::abs(d.z), divisor = dot(d, below);
+    if (std::abs(divisor) <= rounding * size) return {0, HUGE_VAL};
+    const double value = dot(d, above) / divisor;
+    return {value, rounding * size * (1 + std::abs(value)) / std::abs(divisor)};
+}
+
 bool coplanar(const CornersWorld& a, const CornersWorld& b) {
     try {
         return all_in_plane<Interval>(a, b, as_interval);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -13,6 +14,19 @@ bool coplanar(const CornersWorld& a, const CornersWorld& b);
 
 /// Do three points lie on one line, exactly? True where two of them are the same.
 bool collinear(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
+
+/// The direction of a segment, either way round, as one number and the most that it errs by. It is a quotient
+/// of two linear forms of the direction, which collinear segments share.
+struct Slope {
+    double value, error;
+};
+
+Slope slope_of(const glm::vec3& a, const glm::vec3& b);
+
+/// Do the segments certainly lie on two lines?
+inline bool are_turned(const Slope& a, const Slope& b) {
+    return std::abs(a.value - b.value) > a.error + b.error;
+}
 
 /// Remembers answers to coplanar(); what it answers never depends on what it remembers. One thread at a time.
 class CoplanarCache {
