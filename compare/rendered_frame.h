@@ -18,7 +18,7 @@ struct BoundedFrame {
         : frame(rendered.frame),
           precision(rendered.precision),
           bounds(view, rendered.precision),
-          shown_bounds(view, shown_precision(rendered.precision)) {}
+          shown_bounds(ViewBounds::of_shown(view, rendered.precision)) {}
 
     const Frame& frame;
     Precision precision;

@@ -45,10 +45,14 @@ struct Convention {
     RowOrder rows = RowOrder::top_first;
     DepthKind depth_kind = DepthKind::camera;
     double depth_scale = 1;          ///< what a stored 1 stands for
+    bool depth_is_whole = false;     ///< rounded to the nearest integer; of camera depth alone
     std::optional<double> baseline;  ///< scene units; of a disparity, and of nothing else
     /// Stored values that are no depth but say "background".
     std::vector<double> background_depths{std::numeric_limits<double>::infinity()};
     bool far_is_background = false;  ///< so does what a surface on the far plane would have
+
+    /// Between two depths that it can hold, scene units; 0 where they are floats.
+    double depth_step() const { return depth_is_whole ? depth_scale : 0; }
 
     bool operator==(const Convention&) const = default;
 };

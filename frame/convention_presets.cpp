@@ -19,7 +19,7 @@ constexpr auto presets = std::to_array<ConventionPreset>({
     {"mitsuba",
      "id_channel=id.I,depth_channel=depth.T,id_coding=float,background_by=depth,"
      "depth_kind=ray_length_from_near,depth_background=0"},
-    {"bop", "id_channel=id,id_background=0,id_base=1,depth_background=0"},
+    {"bop", "id_channel=id,id_background=0,id_base=1,depth_coding=integer,depth_background=0"},
 });
 
 }  // namespace

@@ -120,6 +120,11 @@ constexpr auto convention_keys = std::to_array<ConventionKey>({
     {"depth_kind",
      "camera, ray_length, ray_length_from_near, ndc_z, window_z, reversed_z, inverse or disparity",
      [](Convention& c, const Json& v) { return store_word(c.depth_kind, v, Words<DepthKind>(depth_kinds)); }},
+    {"depth_coding", "float or integer",
+     [](Convention& c, const Json& v) {
+         c.depth_is_whole = v == "integer";
+         return c.depth_is_whole || v == "float";
+     }},
     {"depth_scale", "a number above 0",
      [](Convention& c, const Json& v) { return store_positive(c.depth_scale, v); }},
     {"baseline", "a number above 0",
@@ -156,6 +161,11 @@ void check(const Convention& convention, const std::string& place) {
         refuse_key(place, "id_background",
                    "missing; floats have no largest id, so say which number is background");
     const DepthKind kind = convention.depth_kind;
+    if (convention.depth_is_whole && kind != DepthKind::camera)
+        refuse_key(
+            place, "depth_coding",
+            "integer: steps of such a depth differ from pixel to pixel; expected depth_kind=camera, or "
+            "float and a promise that holds them");
     if (convention.far_is_background &&
         (kind == DepthKind::ray_length || kind == DepthKind::ray_length_from_near))
         refuse_key(place, "depth_background", "far: the far plane has no one ray length; expected a number");

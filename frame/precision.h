@@ -107,6 +107,7 @@ struct RasterPrecision {
     Arithmetic linearization = Arithmetic::float64;  ///< from z back to camera depth
     int depth_roundings = 2;                         ///< float32 roundings from interpolant to reported depth
     ShownDepth shown_depth = ShownDepth::buffer;
+    double depth_step = 0;  ///< reported depths are its whole multiples, the nearest; 0: any; scene units
 
     bool operator==(const RasterPrecision&) const = default;
 };
@@ -137,6 +138,7 @@ struct RayPrecision {
     HitPoint hit_point = HitPoint::distance;
     double world_absolute = 0;  ///< a further error of corners in each axis, scene units
     double depth_of_range = 0;  ///< a further error of depth, as a share of far - near; needs a finite far
+    double depth_step = 0;      ///< reported depths are its whole multiples, the nearest; 0: any; scene units
 
     bool operator==(const RayPrecision&) const = default;
 };
@@ -153,6 +155,7 @@ struct PlaneRayPrecision {
     double depth_of_range = 0;          ///< parallel: a further one, as a share of far - near
     double clip_relative = 0;           ///< error of near and far, as a share of themselves
     double clip_of_reach = 0;           ///< parallel: a further one, as a share of the coordinates' size
+    double depth_step = 0;  ///< reported depths are its whole multiples, the nearest; 0: any; scene units
 
     bool operator==(const PlaneRayPrecision&) const = default;
 };
@@ -164,6 +167,7 @@ struct BoundedPrecision {
     double depth_absolute = 0;  ///< a further one, scene units
     double depth_of_range = 0;  ///< a further one, as a share of far - near; needs a finite far
     bool watertight = true;     ///< do triangles that share an edge move it alike, and leave no gap?
+    double depth_step = 0;      ///< reported depths are its whole multiples, the nearest; 0: any; scene units
 
     bool operator==(const BoundedPrecision&) const = default;
 };

@@ -43,6 +43,7 @@ void visit_fields(RasterPrecision& p, const Visit& visit) {
     visit("linearization", p.linearization);
     visit("depth_roundings", p.depth_roundings, Limits{0, 1000});
     visit("shown_depth", p.shown_depth);
+    visit("depth_step", p.depth_step, length);
 }
 
 template <class Visit>
@@ -57,6 +58,7 @@ void visit_fields(RayPrecision& p, const Visit& visit) {
     visit("hit_point", p.hit_point);
     visit("world_absolute", p.world_absolute, length);
     visit("depth_of_range", p.depth_of_range, share);
+    visit("depth_step", p.depth_step, length);
 }
 
 template <class Visit>
@@ -68,6 +70,7 @@ void visit_fields(PlaneRayPrecision& p, const Visit& visit) {
     visit("depth_of_range", p.depth_of_range, share);
     visit("clip_relative", p.clip_relative, share);
     visit("clip_of_reach", p.clip_of_reach, share);
+    visit("depth_step", p.depth_step, length);
 }
 
 template <class Visit>
@@ -77,6 +80,7 @@ void visit_fields(BoundedPrecision& p, const Visit& visit) {
     visit("depth_absolute", p.depth_absolute, length);
     visit("depth_of_range", p.depth_of_range, share);
     visit("watertight", p.watertight);
+    visit("depth_step", p.depth_step, length);
 }
 
 /// What a declaration's kind is called.

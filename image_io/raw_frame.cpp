@@ -36,6 +36,12 @@ constexpr SampleTypes whole_types{is_whole, "an integer"};
 constexpr SampleTypes float_types{is_floating, "half, float or double"};
 constexpr SampleTypes byte_types{[](Sample sample) { return sample == Sample::uint8; }, "uint8"};
 constexpr SampleTypes depth_types{fits_double, "half, float, double or an integer of up to 32 bits"};
+constexpr SampleTypes whole_depth_types{[](Sample sample) { return is_whole(sample) && fits_double(sample); },
+                                        "an integer of up to 32 bits (depth_coding=float: any)"};
+
+const SampleTypes& depth_types_of(const Convention& convention) {
+    return convention.depth_is_whole ? whole_depth_types : depth_types;
+}
 
 const SampleTypes& types_of(IdCoding coding) {
     if (coding == IdCoding::integer) return whole_types;
@@ -191,14 +197,15 @@ class RawPlanes {
     void find_depths() {
         const ImageFile& file = depth_file();
         auto place = find_channel(file, convention_.depth_channel, floats_or_any(file));
-        if (!place && second_) place = lone_channel(file, depth_types);
+        if (!place && second_) place = lone_channel(file, depth_types_of(convention_));
         if (!place) throw FrameError(missing_channel(file, convention_.depth_channel));
         depth_place_ = *place;
     }
 
     /// A named channel may be of any type that a depth has; a lone one beside ids is known by being a float.
     const SampleTypes& floats_or_any(const ImageFile& file) const {
-        return channels_named(file, convention_.depth_channel).empty() ? float_types : depth_types;
+        return channels_named(file, convention_.depth_channel).empty() ? float_types
+                                                                       : depth_types_of(convention_);
     }
 
     const ImageFile& depth_file() const { return second_ ? *second_ : id_file_; }

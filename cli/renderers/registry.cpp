@@ -225,11 +225,22 @@ void require_program(const RendererChoice& choice) {
                      name + "', which is not there or not executable"};
 }
 
-Precision declared_precision(const RendererChoice& choice) {
+namespace {
+
+Precision promise_of(const RendererChoice& choice) {
     const std::string& word = choice.precision_word;
     if (word.empty()) return own_promise(choice);
     return is_promise_in_words(word) ? typed([&] { return precision_from_word(word); })
                                      : precision_from_word(word);
+}
+
+}  // namespace
+
+Precision declared_precision(const RendererChoice& choice) {
+    Precision precision = promise_of(choice);
+    const double depth_step = declared_convention(choice).depth_step();
+    std::visit([&](auto& p) { p.depth_step = std::max(p.depth_step, depth_step); }, precision);
+    return precision;
 }
 
 Projections declared_projections(const RendererChoice& choice) {

@@ -72,7 +72,7 @@ AttributeCheck::AttributeCheck(const Scene& scene, const View& view, const Frame
       frame_(frame),
       precision_(precision),
       varying_bounds_(view, varying_precision(precision)),
-      shown_bounds_(view, shown_precision(precision)),
+      shown_bounds_(ViewBounds::of_shown(view, precision)),
       judged_(judged_attributes(scene, view, frame.attributes, precision)) {}
 
 std::optional<WrongAttribute> AttributeCheck::first_wrong(const PixelCoord& pixel) const {

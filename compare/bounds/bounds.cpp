@@ -16,8 +16,7 @@ bool ends_at_the_eye(const Precision& precision) {
     return raster != nullptr && raster->nothing_behind_the_eye;
 }
 
-}  // namespace
-
+/// The precision of the depths that a frame shows, where the depth test may have another.
 Precision shown_precision(const Precision& precision) {
     const auto* raster = std::get_if<RasterPrecision>(&precision);
     if (raster == nullptr || raster->shown_depth == ShownDepth::buffer) return precision;
@@ -25,6 +24,17 @@ Precision shown_precision(const Precision& precision) {
     reported.depth_buffer = DepthBuffer::camera_depth;
     return reported;
 }
+
+/// A depth is rounded to the nearest step, and that to float32.
+void allow_steps(double depth_step, TriangleBounds& bounds) {
+    constexpr double u = unit_roundoff_float32;
+    bounds.depth_factor += u;
+    bounds.depth_share *= 1 + u;
+    bounds.inverse_depth_error *= 1 + 2 * u;
+    bounds.depth_absolute = (bounds.depth_absolute + depth_step / 2) * (1 + u);
+}
+
+}  // namespace
 
 bool is_watertight(const Precision& precision) {
     return std::visit(
@@ -39,17 +49,26 @@ ViewBounds::ViewBounds(const View& view, const Precision& precision)
     : facts_(view),
       near_depth_(ends_at_the_eye(precision) ? std::max(view.camera.near_depth, 0.0)
                                              : view.camera.near_depth),
+      depth_step_(std::visit([](const auto& p) { return p.depth_step; }, precision)),
       of_kind_(std::visit([&](const auto& p) -> OfKind { return for_kind(facts_, p); }, precision)) {}
+
+ViewBounds ViewBounds::of_shown(const View& view, const Precision& precision) {
+    ViewBounds bounds(view, shown_precision(precision));
+    bounds.is_of_shown_ = bounds.depth_step_ > 0;
+    return bounds;
+}
 
 TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {
     TriangleBounds bounds = std::visit([&](const auto& kind) { return kind.of(facts_, extent); }, of_kind_);
     const CornerDepths corners = corner_depths(extent);
     bounds.nearest = corners.nearest;
     bounds.farthest = corners.farthest;
+    if (is_of_shown_) allow_steps(depth_step_, bounds);
     return bounds;
 }
 
 DepthTerms ViewBounds::depth_terms(const TriangleExtent& extent) const {
+    if (is_of_shown_) return of(extent).depth_terms();
     if (const auto* raster = std::get_if<RasterBounds>(&of_kind_))
         if (const auto& terms = raster->common_terms()) return terms->of(extent.size);
     if (const auto* ray = std::get_if<RayBounds>(&of_kind_))
@@ -69,6 +88,12 @@ bool ViewBounds::keeps_to_corners() const {
 }
 
 InverseDepthRange ViewBounds::compared_at(double depth) const {
+    if (depth_step_ == 0) return compared_before_steps(depth);
+    const double room = depth_step_ / 2 + 2 * unit_roundoff_float32 * std::abs(depth);
+    return {compared_before_steps(depth + room).least, compared_before_steps(depth - room).greatest};
+}
+
+InverseDepthRange ViewBounds::compared_before_steps(double depth) const {
     const auto* raster = std::get_if<RasterBounds>(&of_kind_);
     const auto* ray = std::get_if<RayBounds>(&of_kind_);
     if (!(raster && raster->shows_what_it_compares()) && !(ray && ray->has_depth_of_distance()))

@@ -12,16 +12,16 @@
 
 namespace zproof {
 
-/// The precision of the depths that a frame shows, where the depth test may have another.
-Precision shown_precision(const Precision& precision);
-
 /// Does the renderer promise to leave no gap between triangles that share an edge?
 bool is_watertight(const Precision& precision);
 
 /// What a renderer's precision means for one view.
 class ViewBounds {
   public:
+    /// Of the depths that are compared.
     ViewBounds(const View& view, const Precision& precision);
+    /// Of the depths that a frame shows: of another kind, or stored in steps.
+    static ViewBounds of_shown(const View& view, const Precision& precision);
 
     TriangleExtent extent_of(const CornersWorld& p_world) const { return facts_.extent_of(p_world); }
     TriangleBounds of(const TriangleExtent& extent) const;
@@ -75,7 +75,11 @@ class ViewBounds {
 
     ViewFacts facts_;
     double near_depth_;
+    double depth_step_;         ///< between reported depths, scene units
+    bool is_of_shown_ = false;  ///< does a depth's bound hold what is rounded to a step?
     OfKind of_kind_;
+
+    InverseDepthRange compared_before_steps(double depth) const;
 };
 
 }  // namespace zproof

@@ -28,7 +28,7 @@ class RestatedClaims {
           said_labels_(input.said),
           hypothesis_(*query.hypothesis),
           bounds_(hypothesis_.view, hypothesis_.precision),
-          shown_bounds_(hypothesis_.view, shown_precision(hypothesis_.precision)) {
+          shown_bounds_(ViewBounds::of_shown(hypothesis_.view, hypothesis_.precision)) {
         for (std::size_t i = 0; i < query.claims.size(); ++i) {
             const std::optional<Claim> meant =
                 hypothesis_.restate ? hypothesis_.restate(query.claims[i]) : query.claims[i];

@@ -50,7 +50,7 @@ float depth_within(const TriangleDepth& of, const PixelCoord& pixel, float of_re
 Frame with_own_depths(const Scene& scene, const View& view, const Plane<PrimitiveId>& ids,
                       const Precision& precision, const Frame& reference) {
     Frame frame = Frame::unwritten(ids.size());
-    const ViewBounds bounds(view, shown_precision(precision));
+    const ViewBounds bounds = ViewBounds::of_shown(view, precision);
     tbb::parallel_for(0, view.height, [&](int y) {
         DepthOfLast depth(scene, view, bounds);
         for (int x = 0; x < view.width; ++x) {

@@ -104,6 +104,52 @@ TEST_F(Arrays, AProgramMayWriteTwoFiles) {
     EXPECT_NE(one.err.find("'0' is of type float; expected an integer"), std::string::npos) << one.err;
 }
 
+/// zproof's own frame, as BOP stores it: ids from 1, depths as a whole number of steps.
+class StepsOfDepth : public Arrays {
+  protected:
+    static constexpr double step = 0.004;
+
+    void write_steps(const std::string& name, const std::function<double(double)>& whole) {
+        const Frame frame = read_frame(folder.path() / "zproof/frame-all.exr");
+        std::vector<std::uint16_t> ids, steps;
+        for (const PrimitiveId id : frame.primitive.pixels())
+            ids.push_back(std::uint16_t(id == PrimitiveId::none ? 0 : std::uint32_t(id) + 1));
+        for (const float depth : frame.camera_depth.pixels())
+            steps.push_back(std::uint16_t(depth == background_depth ? 0 : whole(double(depth) / step)));
+        write_npy(folder.path() / "ids.npy", "<u2", "48, 64", ids);
+        write_npy(folder.path() / name, "<u2", "48, 64", steps);
+    }
+
+    Ran judged(const std::string& depths, const std::string& convention) const {
+        return run(folder, {"compare", "ids.npy+" + depths, "two.gltf", "--oracle", "none", "--convention",
+                            "id_channel=0,depth_channel=0,id_background=0,id_base=1,depth_background=0,"
+                            "depth_scale=0.004" +
+                                convention});
+    }
+};
+
+TEST_F(StepsOfDepth, ArePartOfThePromiseWhereTheConventionSaysWholeNumbers) {
+    write_steps("rounded.npy", [](double steps) { return std::nearbyint(steps); });
+    write_steps("cut.npy", [](double steps) { return std::floor(steps); });
+    const Ran rounded = judged("rounded.npy", ",depth_coding=integer");
+    EXPECT_EQ(rounded.exit_code, 0) << rounded.out << rounded.err;
+    EXPECT_EQ(judged("rounded.npy", "").exit_code, 1);
+    EXPECT_EQ(judged("cut.npy", ",depth_coding=integer").exit_code, 1);
+    const json results = json::parse(folder.read("zproof-out/results.json"));
+    EXPECT_EQ(results.at("run").at("renderers").at(0).at("precision").at("depth_step"), step);
+}
+
+TEST_F(StepsOfDepth, AreNotThoseOfFloatsNorOfAnotherKindOfDepth) {
+    write_steps("rounded.npy", [](double steps) { return std::nearbyint(steps); });
+    const Ran floats = judged("z.npy", ",depth_coding=integer");
+    EXPECT_EQ(floats.exit_code, 3);
+    EXPECT_NE(floats.err.find("of type float; expected an integer of up to 32 bits"), std::string::npos)
+        << floats.err;
+    const Ran inverse = judged("rounded.npy", ",depth_coding=integer,depth_kind=inverse");
+    EXPECT_EQ(inverse.exit_code, 2);
+    EXPECT_NE(inverse.err.find("/depth_coding"), std::string::npos) << inverse.err;
+}
+
 TEST_F(Arrays, WhatIsNotUnderstoodIsRefusedBeforeAnythingIsWritten) {
     for (const auto& [convention, status] :
          {std::pair{"pytorch", 2}, std::pair{"depth_kind=z", 2}, std::pair{"none.json", 3}}) {

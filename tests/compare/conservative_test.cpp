@@ -103,6 +103,21 @@ TEST(ConservativeTest, SaysWhatExactRationalsSayOrNothing) {
     EXPECT_GT(comparison.said[std::size_t(Admissibility::visible)], 500);
 }
 
+/// Another rule of drawing says by a range that a triangle hides what lies before its plane (diagnosis).
+TEST(ConservativeTest, TakesNothingForSeenThatARangeHides) {
+    const View view = pixel_view(Projection::parallel, 1, 1);
+    const Scene scene = scene_of(view, {wall(4), wall(8)});
+    const PrimitiveId answer{0};
+    Neighbourhood around = OnePixel(scene, view, raster_precision(), 0, 0).around(answer);
+    CoplanarCache memory(16);
+    EXPECT_EQ(ConservativeTest(around, answer, memory).finding(), ConservativeTest::Finding::visible);
+    around.neighbours[1].least_inverse_depth = around.neighbours[1].greatest_inverse_depth = 0;
+    const ConservativeTest hidden(around, answer, memory);
+    EXPECT_NE(hidden.finding(), ConservativeTest::Finding::visible);
+    EXPECT_FALSE(hidden.is_seen_at_centre());
+    EXPECT_EQ(decide(around, answer, memory).admissibility, Admissibility::hidden);
+}
+
 TEST(ConservativeTest, TellsTiesOfWallsAsRationalsDo) {
     Comparison comparison;
     for (std::uint32_t seed = 0; seed < 1500; ++seed) {

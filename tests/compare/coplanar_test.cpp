@@ -51,5 +51,25 @@ TEST(Coplanar, OneUlpOffThePlaneIsOff) {
     EXPECT_FALSE(coplanar(floor, {{{1, 1, 0}, {2, 3, 0}, {7, -7, 1e-45f}}}));
 }
 
+/// The slopes of segments of one line differ by their roundings.
+TEST(Slope, TellsApartNoSegmentsOfOneLine) {
+    Rng rng(7);
+    int differing = 0, turned = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const auto whole = [&] { return std::floor(float(rng.between(-1000, 1000))); };
+        const auto any = [&] { return glm::vec3(whole(), whole(), whole()); };
+        const glm::vec3 a = any(), d = any();
+        const Slope here = slope_of(a, a + d), there = slope_of(a - 7.0f * d, a + 3.0f * d),
+                    other = slope_of(a, a + d + glm::vec3(1, 0, 0));
+        EXPECT_TRUE(collinear(a, a + d, a - 7.0f * d));
+        EXPECT_FALSE(are_turned(here, there));
+        differing += here.value != there.value;
+        turned += are_turned(here, other);
+    }
+    EXPECT_GT(differing, 100);
+    EXPECT_GT(turned, 900);
+    EXPECT_FALSE(are_turned(slope_of({1, 2, 3}, {1, 2, 3}), slope_of({0, 0, 0}, {1, 1, 1})));
+}
+
 }  // namespace
 }  // namespace zproof

@@ -71,6 +71,47 @@ TEST(BoundedPrecision, AllowsItsDepthErrorsAndNoMore) {
     }
 }
 
+/// `fine` with reported depths in steps.
+template <class Kind>
+Precision in_steps(Kind fine, double depth_step) {
+    fine.depth_step = depth_step;
+    return fine;
+}
+
+TEST(DepthStep, AllowsHalfAStepAndNoMoreWhateverElseIsPromised) {
+    for (const Projection projection : {perspective, parallel})
+        for (const Precision& precision :
+             {in_steps(fine_raster(), 0.02), in_steps(RayPrecision{}, 0.02),
+              in_steps(PlaneRayPrecision{}, 0.02), in_steps(BoundedPrecision{.eps_px = 1e-9}, 0.02)})
+            expect_depth_allowance(projection, precision, 4, 0.01);
+    const BoundedPrecision both{.eps_px = 1e-9, .depth_relative = 1e-3, .depth_absolute = 0.01};
+    expect_depth_allowance(perspective, in_steps(both, 0.02), 4, 4e-3 + 0.02);
+}
+
+/// Depth is rounded when it is reported, after it was compared.
+TEST(DepthStep, HidesNoTriangleBehindAnother) {
+    for (const Projection projection : {perspective, parallel}) {
+        TestScene t(projection, 1, 1, {wall(4), wall(4.004)});
+        t.candidate_precision = in_steps(fine_raster(), 0.02);
+        answer(t.reference, 0, 0, 0, 4);
+        for (const float shown : {4.0f, 4.004f}) {
+            answer(t.candidate, 0, 0, 1, shown);
+            EXPECT_EQ(t.class_at(0, 0), PixelClass::hidden);
+            answer(t.candidate, 0, 0, 0, shown);
+            EXPECT_TRUE(passes(t.class_at(0, 0)));
+        }
+    }
+}
+
+TEST(DepthStep, LeavesOpenWhatWasComparedWithinHalfAStep) {
+    const View view = pixel_view(perspective, 1, 1);
+    const InverseDepthRange compared = ViewBounds(view, in_steps(RayPrecision{}, 0.02)).compared_at(4);
+    for (const double depth : {3.99, 4.01})
+        EXPECT_TRUE(compared.least <= 1 / depth && 1 / depth <= compared.greatest) << depth;
+    EXPECT_LT(compared.greatest, 1 / 3.9899);
+    EXPECT_GT(compared.least, 1 / 4.0101);
+}
+
 RasterPrecision with_buffer(DepthBuffer buffer, DepthFormat format) {
     RasterPrecision p = fine_raster();
     p.depth_buffer = buffer;

@@ -128,7 +128,7 @@ std::string declared_text(const Precision& precision) {
     std::string text = precision_to_json(precision);
     for (const std::string young :
          {R"(,"third_weight":"edge_function")", R"(,"nothing_behind_the_eye":false)",
-          R"(,"depth_rounding":"either")", R"(,"depth_of_range":0.0)"}) {
+          R"(,"depth_rounding":"either")", R"(,"depth_of_range":0.0)", R"(,"depth_step":0.0)"}) {
         const std::size_t place = text.find(young);
         const bool is_old =
             young.find("of_range") != std::string::npos && !std::holds_alternative<RayPrecision>(precision);

@@ -24,7 +24,7 @@ class OwnDepths {
         : scene_(input.scene),
           view_(input.view),
           frame_(input.said ? input.reference.frame : input.candidate.frame),
-          bounds_(input.view, shown_precision(input.candidate.precision)) {}
+          bounds_(ViewBounds::of_shown(input.view, input.candidate.precision)) {}
 
     /// Nothing where the id is none or no triangle's.
     std::optional<DepthBound> at(int x, int y) const {
@@ -93,8 +93,8 @@ Hypothesis beside_centre(const DiagnosisInput& input, const glm::dvec2& offset_p
          "The id belongs to the pixel's centre, the depth to another place of the triangle's plane.",
          "Look at where depth is interpolated: at the same place of the pixel as coverage is decided."});
     h.report = [offset_px, &scene = input.scene, view = input.view,
-                bounds = ViewBounds(input.view, shown_precision(input.candidate.precision))](
-                   const DepthBound&, const Claim& claim) {
+                bounds = ViewBounds::of_shown(input.view, input.candidate.precision)](const DepthBound&,
+                                                                                      const Claim& claim) {
         const CornersWorld p_world = corners_of(scene, std::uint32_t(claim.answer.primitive));
         const Neighbour n = neighbour_of(ViewRay<double>(view, claim.x, claim.y), bounds, p_world);
         return plane_depth(n, view.camera.projection, offset_px);

@@ -282,7 +282,7 @@ class CameraFit {
 
   private:
     double bound_of(double depth, PrimitiveId triangle, int x, int y) const {
-        const ViewBounds bounds(input_.view, shown_precision(input_.candidate.precision));
+        const ViewBounds bounds = ViewBounds::of_shown(input_.view, input_.candidate.precision);
         const CornersWorld p_world = corners_of(input_.scene, std::uint32_t(triangle));
         const DepthBound bound = TriangleDepth(TriangleInView(input_.view, bounds, p_world), bounds).at(x, y);
         const double share = (bound.high - bound.low) / std::abs(depth);

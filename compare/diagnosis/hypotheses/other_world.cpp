@@ -56,7 +56,7 @@ OtherWorld::OtherWorld(const DiagnosisInput& input, std::shared_ptr<const Scene>
       scene_(std::move(scene)),
       view_(view),
       bounds_(view, input.candidate.precision),
-      shown_bounds_(view, shown_precision(input.candidate.precision)) {}
+      shown_bounds_(ViewBounds::of_shown(view, input.candidate.precision)) {}
 
 OtherWorld::~OtherWorld() = default;
 
