@@ -84,11 +84,7 @@ class Selfcheck {
             if (interrupted()) return;
             const std::string pair = name + ", " + variant.name;
             try {
-                measure::VariantResult result;
-                const auto check_variant = [&] {
-                    result = measure::check_variant(renderer_, scene, view, original, variant);
-                };
-                if (done_uninterrupted(check_variant)) tell(pair, result);
+                tell(pair, measure::check_variant(renderer_, scene, view, original, variant));
             } catch (const OracleError& e) {
                 tell_missing(pair, e.what());
             }
