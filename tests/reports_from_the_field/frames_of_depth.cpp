@@ -339,6 +339,8 @@ std::vector<FieldFrame> frames_of_depth_pictures() {
               height),
         named("whole_millimetres", "depth is in whole steps of 0.001", "BOP: 16-bit depth in millimetres",
               view, [](const Seen& s) { return std::round(s.depth * 1000) / 1000; }),
+        named("cut_to_millimetres", "depth is cut to whole steps of 0.001", "(uint16) (1000 * z)", view,
+              [](const Seen& s) { return std::floor(s.depth * 1000) / 1000; }),
         named("whole_centimetres", "depth is in whole steps of 0.01", "depth in centimetres", view,
               [](const Seen& s) { return std::round(s.depth * 100) / 100; }),
     };

@@ -226,6 +226,38 @@ std::vector<double> likely_steps(const DiagnosisInput& input) {
     return steps;
 }
 
+/// Depths are told in steps, from `below` under the true depth to `above` it.
+Hypothesis told_in_steps(const DiagnosisInput& input, double step, double below, double above, Cause cause) {
+    Hypothesis h = as_declared(input, std::move(cause));
+    const double promised =
+        std::visit([](const auto& p) { return p.depth_step; }, input.candidate.precision) / 2;
+    h.report = [=](const DepthBound& bound, const Claim&) {
+        const double rounding = depth_rounding * std::max(std::abs(bound.low), std::abs(bound.high));
+        return ReportedDepth{bound.low + promised - below - rounding,
+                             bound.high - promised + above + rounding};
+    };
+    tells_levels_only(h, [step](double depth) {
+        return std::array{Steps{depth / step, depth_rounding * std::abs(depth) / step}};
+    });
+    return h;
+}
+
+Hypothesis rounded_to_steps(const DiagnosisInput& input, double step) {
+    return told_in_steps(input, step, step / 2, step / 2,
+                         {"depth is in whole steps of " + with_digits(step, 4),
+                          "Depth was rounded to a whole number of steps of " + with_digits(step, 4) + ".",
+                          "Look at the file's integers: half a step is part of the promise "
+                          "(--convention depth_coding=integer, or depth_step of --precision)."});
+}
+
+Hypothesis cut_to_steps(const DiagnosisInput& input, double step) {
+    return told_in_steps(
+        input, step, step, 0,
+        {"depth is cut to whole steps of " + with_digits(step, 4),
+         "The whole number of steps below the depth was stored, not the nearest.",
+         "Look at the conversion to integers: add one half before what follows the point is cut."});
+}
+
 /// Depth in whole steps of scene units. The largest that holds at most of the depths is taken.
 std::vector<Hypothesis> stored_in_steps(const DiagnosisInput& input) {
     const auto depths = input.candidate.frame.camera_depth.pixels();
@@ -242,20 +274,7 @@ std::vector<Hypothesis> stored_in_steps(const DiagnosisInput& input) {
                                  depths, {}, [](float d) { return std::isfinite(d) ? d : 0.0f; })) >
             step / 4)
             continue;  // every float is near a step
-        Hypothesis h = as_declared(
-            input,
-            {"depth is in whole steps of " + with_digits(step, 4),
-             "Depth was rounded to a whole number of steps of " + with_digits(step, 4) + ".",
-             "Look at the file's integers: half a step is part of the promise (bounded, depth_absolute)."});
-        h.report = [step](const DepthBound& bound, const Claim&) {
-            const double room =
-                step / 2 + depth_rounding * std::max(std::abs(bound.low), std::abs(bound.high));
-            return ReportedDepth{bound.low - room, bound.high + room};
-        };
-        tells_levels_only(h, [step](double depth) {
-            return std::array{Steps{depth / step, depth_rounding * std::abs(depth) / step}};
-        });
-        return {h};
+        return {rounded_to_steps(input, step), cut_to_steps(input, step)};
     }
     return {};
 }
