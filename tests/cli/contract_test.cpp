@@ -57,6 +57,7 @@ TEST(Contract, NamesThePromiseWhereAFrameIsWrongAndNothingWasPromised) {
     const Ran ran = run(folder, {"contract-check", faulty("ids_from_one")});
     EXPECT_EQ(ran.exit_code, 1);
     EXPECT_NE(ran.out.find("--precision opengl or another (docs/presets.md)"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find("likely cause: "), std::string::npos) << ran.out;
 }
 
 /// A frame that keeps the form of the contract and not its meaning.
@@ -71,7 +72,8 @@ class WrongFrames : public testing::TestWithParam<WrongFrame> {};
 
 TEST_P(WrongFrames, AreDiagnosedInWords) {
     const Folder folder;
-    const Ran ran = checked(folder, faulty(GetParam().fault));
+    const Ran ran = run(folder, {"run", "room", "-x", "--width", "160", "--height", "100", "--oracle", "none",
+                                 "--precision", declared, "--renderer", faulty(GetParam().fault)});
     EXPECT_EQ(ran.exit_code, 1) << ran.out << ran.err;
     EXPECT_NE(ran.out.find(std::string{"likely cause: "} + GetParam().said), std::string::npos) << ran.out;
 }
