@@ -1,10 +1,12 @@
 // Frames of labels, of depth alone, and of depths of a declared kind: what is wrong with what they say.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "compare/diagnosis/diagnosis.h"
+#include "compare/diagnosis/hypotheses/catalogue.h"
 #include "compare/labels/labelled_frame.h"
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"
@@ -116,6 +118,21 @@ TEST_F(GivenFrame, OfDepthAloneWhoseBackgroundHasADepthIsNamed) {
     const auto far = float(view_.camera.far_depth);
     for (const float depth : {0.0f, far, -1.0f, std::nanf("")})
         EXPECT_EQ(cause_of_background(depth), "background has a depth") << depth;
+}
+
+/// Without ids the same frame is one that is shifted.
+TEST_F(GivenFrame, OfDepthAloneHasNoDepthsBesideTheirIds) {
+    const RenderedFrame ours{right_, rasterizer::precision()}, theirs{reference_, oracle::embree_precision()};
+    const auto beside_ids = [&](const SaidLabels* said) {
+        return std::ranges::count_if(
+            hypotheses_of_depth({loaded_.scene, view_, ours, theirs, said}),
+            [](const Hypothesis& h) { return h.cause.name.ends_with("of their ids"); });
+    };
+    const SaidLabels none{label_triangles("none", loaded_.scene), right_.primitive},
+        five{labels(), right_.primitive};
+    EXPECT_EQ(beside_ids(&none), 0);
+    EXPECT_EQ(beside_ids(&five), 4);
+    EXPECT_EQ(beside_ids(nullptr), 4);
 }
 
 TEST_F(GivenFrame, OfAnotherKindThanDeclaredIsNamed) {

@@ -257,6 +257,12 @@ Hypothesis apart_from_ids(const DiagnosisInput& input, int dx, int dy, const std
     return h;
 }
 
+std::vector<Hypothesis> depths_beside_ids(const DiagnosisInput& input) {
+    if (input.said && input.said->labels.are_absent) return {};  // of depth alone: the image's own shift
+    return {apart_from_ids(input, 1, 0, "right"), apart_from_ids(input, -1, 0, "left"),
+            apart_from_ids(input, 0, 1, "below"), apart_from_ids(input, 0, -1, "above")};
+}
+
 /// Depth test and reported depth both go by depth that is interpolated linearly over the raster image.
 Hypothesis affine(const DiagnosisInput& input) {
     Hypothesis h = as_declared(input, {"depth is affine instead of perspective-correct",
@@ -311,10 +317,7 @@ std::vector<Hypothesis> hypotheses_of_depth(const DiagnosisInput& input) {
                 {"depth is in other units", "Depth is " + factor_text(factor) + " times the depth.",
                  "Look at the units of the scene's import and of the depth's export."},
                 Linear{0, factor}));
-    for (Hypothesis& h :
-         std::vector{apart_from_ids(input, 1, 0, "right"), apart_from_ids(input, -1, 0, "left"),
-                     apart_from_ids(input, 0, 1, "below"), apart_from_ids(input, 0, -1, "above")})
-        all.push_back(std::move(h));
+    for (Hypothesis& h : depths_beside_ids(input)) all.push_back(std::move(h));
     if (c.projection == Projection::parallel) {
         if (c.near_depth > 0) all.push_back(parallel_as_perspective(input));
         return all;
