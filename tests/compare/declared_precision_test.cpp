@@ -88,6 +88,17 @@ TEST(DepthStep, AllowsHalfAStepAndNoMoreWhateverElseIsPromised) {
     expect_depth_allowance(perspective, in_steps(both, 0.02), 4, 4e-3 + 0.02);
 }
 
+/// What is rounded to a step is rounded to float32 then, on top of whatever else it errs by.
+TEST(DepthStep, CompoundsTheRoundingToFloat32) {
+    const View view = pixel_view(perspective, 1, 1);
+    const BoundedPrecision both{.eps_px = 1e-9, .depth_relative = 1e-3, .depth_absolute = 0.01};
+    const LocalBounds shown = ViewBounds::of_shown(view, in_steps(both, 0.02))
+                                  .of(corners_of(scene_of(view, {wall(64)}), 0))
+                                  .at(1.0 / 64, 0);
+    EXPECT_DOUBLE_EQ(shown.depth_relative, compounded(u) + 1e-3 * (1 + u));
+    EXPECT_DOUBLE_EQ(shown.depth_absolute, 0.02 * (1 + u));
+}
+
 /// Depth is rounded when it is reported, after it was compared.
 TEST(DepthStep, HidesNoTriangleBehindAnother) {
     for (const Projection projection : {perspective, parallel}) {
