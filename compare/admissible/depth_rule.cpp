@@ -54,10 +54,10 @@ bool is_between_planes(const Camera& camera, const ViewBounds& bounds, const Nei
     if ((z < 0 && camera.near_depth >= 0) || !bounds.can_be_stored(z)) return false;
     // a plane, a distance, where it begins, and their sum are rounded before they are compared
     const double rounding = gamma(4, unit_roundoff_float32), near = bounds.near_depth(),
-                 far = camera.far_depth;
+                 far = camera.far_depth, room = bounds.step_room(z);
     return !bounds.cuts_by_depth() ||
-           (z >= near - std::min(n.near_slack, rounding * std::abs(near)) &&
-            z <= far + std::min(n.far_slack, rounding * (std::abs(near) + std::abs(far))));
+           (z + room >= near - std::min(n.near_slack, rounding * std::abs(near)) &&
+            z - room <= far + std::min(n.far_slack, rounding * (std::abs(near) + std::abs(far))));
 }
 
 bool is_admissible_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world,

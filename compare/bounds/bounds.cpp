@@ -89,7 +89,7 @@ bool ViewBounds::keeps_to_corners() const {
 
 InverseDepthRange ViewBounds::compared_at(double depth) const {
     if (depth_step_ == 0) return compared_before_steps(depth);
-    const double room = depth_step_ / 2 + 2 * unit_roundoff_float32 * std::abs(depth);
+    const double room = step_room(depth);
     return {compared_before_steps(depth + room).least, compared_before_steps(depth - room).greatest};
 }
 

@@ -38,6 +38,10 @@ class ViewBounds {
     /// What inverse depth may have been compared where this depth is shown; what decoding z costs included.
     /// Everything where another depth is compared than is shown.
     InverseDepthRange compared_at(double depth) const;
+    /// How far a reported depth may lie from the one that was rounded to its step; 0 without steps.
+    double step_room(double depth) const {
+        return depth_step_ > 0 ? depth_step_ / 2 + 2 * unit_roundoff_float32 * std::abs(depth) : 0;
+    }
     /// Can a depth buffer hold that? It holds z in [0, 1].
     bool can_be_stored(double depth) const;
     /// Do triangles that share an edge move it alike?

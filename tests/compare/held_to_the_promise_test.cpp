@@ -64,6 +64,33 @@ TEST(HeldToThePromise, AZBuffersDepthOfATriangleEdgeOnIsOneThatPassedItsTest) {
         EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::wrong_depth) << depth;
 }
 
+/// In steps, half of one is added to what passed its test and to the planes, and no more.
+TEST(HeldToThePromise, ADepthOfATriangleEdgeOnMayBeHalfAStepBeyondWhatHoldsIt) {
+    TestScene t(Projection::perspective, 4, 4, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}, wall(16)});
+    RasterPrecision in_steps = std::get<RasterPrecision>(precision_from_word("d3d11"));
+    in_steps.depth_step = 0.4;
+    t.candidate_precision = in_steps;
+    answer_everywhere(t.reference, 1, 16);
+    for (const double depth : {t.view.camera.near_depth - 0.198, 5.0, 16.198})
+        EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::edge) << depth;
+    for (const double depth : {t.view.camera.near_depth - 0.202, 16.202})
+        EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::wrong_depth) << depth;
+}
+
+TEST(HeldToThePromise, ARaysDepthOfATriangleEdgeOnMayBeHalfAStepBeyondThePlanes) {
+    TestScene t = edge_on(Projection::perspective);
+    auto in_steps = std::get<RayPrecision>(Precision(ray_precision()));
+    const double near = t.view.camera.near_depth, far = t.view.camera.far_depth;
+    for (const double depth_step : {0.0, 0.4}) {
+        in_steps.depth_step = depth_step;
+        t.candidate_precision = in_steps;
+        EXPECT_EQ(class_of_depth(t, 1, 1, near - 0.198) == PixelClass::edge, depth_step > 0);
+        EXPECT_EQ(class_of_depth(t, 1, 1, far + 0.198) == PixelClass::edge, depth_step > 0);
+        EXPECT_EQ(class_of_depth(t, 1, 1, near - 0.202), PixelClass::wrong_depth);
+        EXPECT_EQ(class_of_depth(t, 1, 1, far + 0.202), PixelClass::wrong_depth);
+    }
+}
+
 /// Nothing bounds a mean by such weights, but no renderer shows what lies behind the eye.
 TEST(HeldToThePromise, ADepthBehindTheEyeIsNone) {
     TestScene t = edge_on(Projection::perspective);
