@@ -182,6 +182,14 @@ auto typed(const Read& read) {
     }
 }
 
+/// The word after --precision, else its own; what its convention costs is not in it.
+Precision promise_of(const RendererChoice& choice) {
+    const std::string& word = choice.precision_word;
+    if (word.empty()) return own_promise(choice);
+    return is_promise_in_words(word) ? typed([&] { return precision_from_word(word); })
+                                     : precision_from_word(word);
+}
+
 /// What a command line begins with; empty where that is more than a name, so that only a shell knows.
 std::string first_name_in(const std::string& command) {
     const std::string word = command.substr(0, command.find(' '));
@@ -224,17 +232,6 @@ void require_program(const RendererChoice& choice) {
     throw UsageError{"renderer '" + program->command + "': expected a program that can be started, found '" +
                      name + "', which is not there or not executable"};
 }
-
-namespace {
-
-Precision promise_of(const RendererChoice& choice) {
-    const std::string& word = choice.precision_word;
-    if (word.empty()) return own_promise(choice);
-    return is_promise_in_words(word) ? typed([&] { return precision_from_word(word); })
-                                     : precision_from_word(word);
-}
-
-}  // namespace
 
 Precision declared_precision(const RendererChoice& choice) {
     Precision precision = promise_of(choice);
