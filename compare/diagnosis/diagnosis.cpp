@@ -126,9 +126,10 @@ class Diagnoser {
 
   private:
     /// One wrong pixel proves no rule that would show all over the frame. What moves triangles shows at
-    /// edges.
-    bool may_apply(const Hypothesis& h) const {
-        if (h.moves_triangles && !input_.said && defect_set_.are_all_depths()) return false;
+    /// edges, of this view or of one that it explained.
+    bool may_apply(const Hypothesis& h, std::span<const EarlierCause> earlier) const {
+        const bool is_known = std::ranges::count(earlier, h.cause.name, &EarlierCause::name) > 0;
+        if (h.moves_triangles && !is_known && !input_.said && defect_set_.are_all_depths()) return false;
         return defect_set_.defect_count() > 1 || h.cell != input_.candidate.frame.size();
     }
 
@@ -137,7 +138,7 @@ class Diagnoser {
         const auto known = [&](const HypothesisTest& t) {
             return std::ranges::find(earlier, t.outcome.name, &EarlierCause::name);
         };
-        std::vector<HypothesisTest> tests = all_tests();
+        std::vector<HypothesisTest> tests = all_tests(earlier);
         std::erase_if(tests, [&](const auto& t) { return known(t) == earlier.end(); });
         const auto fails = [](const HypothesisTest& t) {
             return !t.is_not_refuted() || !(t.leaves_nothing() || t.leaves_little());
@@ -192,12 +193,12 @@ class Diagnoser {
         return causes;
     }
 
-    std::vector<HypothesisTest> all_tests() const {
+    std::vector<HypothesisTest> all_tests(std::span<const EarlierCause> earlier = {}) const {
         std::vector<HypothesisTest> tests;
         for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
             const Hypothesis& h = hypotheses_[i];
             const auto& [name, description, look_at] = h.cause;
-            if (may_apply(h))
+            if (may_apply(h, earlier))
                 tests.push_back(
                     {&h,
                      i,

@@ -165,8 +165,9 @@ TEST(Diagnosis, CountsWhatWasAsked) {
 }
 
 /// Declares 12 sub-pixel bits of a picture that has 8.
-std::optional<Diagnosis> diagnosis_of_few_bits(std::size_t view, std::span<const EarlierCause> earlier) {
-    const DiagnosisFixture fixture("room", view);
+std::optional<Diagnosis> diagnosis_of_few_bits(std::size_t view, std::span<const EarlierCause> earlier,
+                                               const std::string& scene = "room") {
+    const DiagnosisFixture fixture(scene, view);
     const Precision declared = RasterPrecision{.subpixel_bits = 12};
     return fixture.diagnosis_of(fixture.drawn_by(rasterizer::correct_rules), declared, earlier);
 }
@@ -186,6 +187,14 @@ TEST(Diagnosis, TakesWhatExplainedEarlierViewsWhereItSparesEnoughOfAll) {
     EXPECT_LT(diagnosis->cause->saved_share, 0.75);
     const std::array poor{EarlierCause{"only 8 sub-pixel bits", 7.4e6, 1e7}};
     expect_cause(diagnosis_of_few_bits(0, poor), "");
+}
+
+/// All its defects are depths, which alone do not tell that triangles were moved.
+TEST(Diagnosis, BelievesEarlierViewsThatTrianglesWereMovedWhereOnlyDepthsAreWrong) {
+    EXPECT_NE(diagnosis_of_few_bits(0, {}, "t_junctions")->cause.value_or(Explanation{}).name,
+              "only 8 sub-pixel bits");
+    const std::array earlier{EarlierCause{"only 8 sub-pixel bits", 9e6, 1e7}};
+    expect_cause(diagnosis_of_few_bits(0, earlier, "t_junctions"), "only 8 sub-pixel bits");
 }
 
 TEST(Diagnosis, DoesNotBelieveEarlierViewsWhereAPixelIsLeft) {
