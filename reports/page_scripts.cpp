@@ -46,8 +46,8 @@ std::string script_element(const PageScript& script) {
 }
 
 std::string content_policy(const PageScript& script) {
-    return "default-src 'none'; script-src 'sha256-" + std::string(script.sha256) +
-           "'; style-src 'unsafe-inline'; img-src data: blob:";
+    return "default-src 'none'; script-src 'sha256-" + std::string(script.sha256) + "'" +
+           (script.loads_others ? " 'self' file:" : "") + "; style-src 'unsafe-inline'; img-src data: blob:";
 }
 
 }  // namespace zproof

@@ -49,6 +49,16 @@ int evidence_tier_of(const std::string& block) {
     return block.ends_with(".flip") ? 2 : 1;
 }
 
+/// "method.LABEL.r" and "claim.LABEL.least.r" belong together; a label may have dots.
+std::string script_of(const std::string& block) {
+    if (block.starts_with("footprint.")) return "footprint";
+    const bool is_claim = block.starts_with("claim.");
+    if (!is_claim && !block.starts_with("method.")) return "view";
+    const std::string named = block.substr(block.find('.'));
+    const std::size_t last = named.rfind('.');
+    return named.substr(0, is_claim ? named.rfind('.', last - 1) : last);
+}
+
 }  // namespace
 
 EvidencePlanes::EvidencePlanes(const study::ViewEvidence& evidence)
@@ -136,6 +146,6 @@ planes::Container EvidencePlanes::container(const FilterViewFacts& facts,
             std::move(blocks_)};
 }
 
-planes::Tiers evidence_tiers() { return {4, evidence_tier_of}; }
+planes::Tiers evidence_tiers() { return {4, evidence_tier_of, script_of}; }
 
 }  // namespace zproof

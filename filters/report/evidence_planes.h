@@ -59,7 +59,8 @@ class EvidencePlanes {
     std::vector<planes::Block> blocks_;
 };
 
-/// Blocks of every view first, then pictures, flip maps and claims, Jacobians.
+/// Blocks of every view first, then pictures, flip maps and claims, Jacobians. What a page has no room for
+/// lies in a script for each picture, one for the Jacobians and one for the rest.
 planes::Tiers evidence_tiers();
 
 }  // namespace zproof

@@ -94,7 +94,11 @@ void write_filters_figures(const FigureFolders& folders, const StudyResults& res
     for (const PooledScores& pool : figures.pools) figures.overview.push_back(pooled_plot(results, pool));
     for (const Plot& plot : figures.overview)
         write_text(folders.figures / "plots" / (plot.name + ".svg"), plot.svg);
-    write_page(folders.figures / "filters.html", filters_page(results, figures, folders.study));
+    const StudyPage page = filters_page(results, figures, folders.study);
+    if (!page.scripts.empty()) fs::create_directory(folders.figures / "planes");
+    for (const planes::ScriptFile& script : page.scripts)
+        write_page(folders.figures / script.name, script.text);
+    write_page(folders.figures / "filters.html", page.page);
 }
 
 StudyResults read_filters_results(const fs::path& folder) {

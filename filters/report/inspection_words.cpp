@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "frame/joined.h"
 #include "frame/number_text.h"
@@ -34,14 +35,30 @@ std::string word_for(WeightFault fault) {
     return "";
 }
 
-std::string one_finding(const WeightFinding& f) {
+/// What the weights are off by, as a share of that axis of the pixel's ellipse.
+double share_of(const texture::Ellipse& ellipse, const WeightFinding& f) {
+    return std::abs(f.found - f.exact) / (f.is_along_major ? ellipse.major : ellipse.minor);
+}
+
+std::string one_finding(const texture::Ellipse& ellipse, const WeightFinding& f) {
     const std::string axis = f.is_along_major ? " along the major axis" : " along the minor axis";
     const std::string numbers =
         f.fault == WeightFault::shift
             ? " (the weights' centroid lies " + short_number(f.found) + " texels beside the pixel's)"
             : " (the weights spread over " + short_number(f.found) + " texels, the pixel's over " +
                   short_number(f.exact) + ")";
-    return word_for(f.fault) + axis + numbers;
+    return word_for(f.fault) + axis + " by " + short_number(100 * share_of(ellipse, f)) + " % of it" +
+           numbers;
+}
+
+/// The largest first.
+std::vector<std::string> findings_in_words(const PixelInspection& one) {
+    std::vector<WeightFinding> sorted = one.findings;
+    std::ranges::stable_sort(sorted, std::greater{},
+                             [&](const WeightFinding& f) { return share_of(one.ellipse, f); });
+    std::vector<std::string> words;
+    for (const WeightFinding& f : sorted) words.push_back(one_finding(one.ellipse, f));
+    return words;
 }
 
 std::string level_in_words(const glm::dvec2& level) {
@@ -132,7 +149,7 @@ std::string why(const PixelInspection& one) {
     if (!one.exact) return begin + "not told, since the truth is sampled there";
     if (one.exact->wraps) return begin + "not told, since the pixel covers more than the texture";
     if (one.findings.empty()) return begin + "none of blur, alias and shift";
-    return begin + joined(one.findings, "; ", one_finding);
+    return begin + joined(findings_in_words(one), "; ");
 }
 
 std::string in_a_line(const PixelInspection& one) {

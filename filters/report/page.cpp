@@ -249,9 +249,10 @@ std::filesystem::path view_folder(const ViewStudy& view) {
     return std::filesystem::path{view.truth_file}.parent_path();
 }
 
-Page filters_page(const StudyResults& results, const StudyFigures& figures,
-                  const std::filesystem::path& folder, std::size_t budget) {
-    const PageScript script = viewer_script();
+StudyPage filters_page(const StudyResults& results, const StudyFigures& figures,
+                       const std::filesystem::path& folder, std::size_t budget) {
+    PageScript script = viewer_script();
+    script.loads_others = true;
     std::string begin = page_head(filters_headline(results),
                                   std::string{filters_style} + std::string{viewer_style()}, script) +
                         "<body>\n" + opening(results),
@@ -271,7 +272,7 @@ Page filters_page(const StudyResults& results, const StudyFigures& figures,
               planes::json_element("study", study_facts(results, embedded))};
     embedded.append_to(page);
     page.emplace_back(end);
-    return page;
+    return {std::move(page), embedded.scripts()};
 }
 
 }  // namespace zproof

@@ -9,7 +9,7 @@
 #include "filters/report/crops.h"
 #include "filters/report/plots.h"
 #include "filters/study/statistics.h"
-#include "reports/html.h"
+#include "reports/planes/embedded.h"
 
 namespace zproof {
 
@@ -38,9 +38,19 @@ struct StudyFigures {
     std::vector<study::PooledScores> pools{};  ///< of several textures
 };
 
-/// `folder`: the study's. The viewer opens on what the page holds of each view's planes.zvp there, within
-/// the budget; a page without planes still has all else. Throws ReportError where a planes.zvp is damaged.
-Page filters_page(const study::StudyResults& results, const StudyFigures& figures,
-                  const std::filesystem::path& folder, std::size_t budget = page_budget);
+/// Bytes of a study's page.
+inline constexpr std::size_t study_page_budget = 3'000'000;
+
+/// The page, and the scripts beside it.
+struct StudyPage {
+    Page page;
+    std::vector<planes::ScriptFile> scripts;
+};
+
+/// `folder`: the study's. The viewer opens on each view's planes.zvp there: the page holds what its budget
+/// has room for, scripts beside it the rest. A page without planes still has all else. Throws ReportError
+/// where a planes.zvp is damaged.
+StudyPage filters_page(const study::StudyResults& results, const StudyFigures& figures,
+                       const std::filesystem::path& folder, std::size_t budget = study_page_budget);
 
 }  // namespace zproof

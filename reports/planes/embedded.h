@@ -23,6 +23,14 @@ struct PlanesFile {
 struct Tiers {
     int count = 1;
     int (*of)(const std::string& block) = nullptr;  ///< from 0
+    /// Which blocks lie in one script beside the page where it has no room for them; null: they are left out.
+    std::string (*script_of)(const std::string& block) = nullptr;
+};
+
+/// A script that lies beside a page.
+struct ScriptFile {
+    std::string name;  ///< "planes/view-1-2.js", from the page
+    Page text;
 };
 
 /// What a page takes of some views. Its base64 is made when the page is written.
@@ -32,8 +40,12 @@ class EmbeddedPlanes {
     EmbeddedPlanes(std::vector<PlanesFile> files, const Tiers& tiers, std::size_t budget);
 
     bool has_planes(std::size_t view) const { return !choices_[view].taken.empty(); }
-    /// The containers of what it takes; the headers of those that lack blocks name them in "leftOut".
+    /// The containers of what it takes; the headers of those that lack blocks name them in "leftOut", and in
+    /// "scripts" by the file beside the page.
     void append_to(Page& page) const;
+    /// Calls zproofPlanes(NAME, CONTAINER AS BASE64) of the blocks that the page does not hold: a page from
+    /// disk may load scripts, and nothing else. None without Tiers::script_of.
+    std::vector<ScriptFile> scripts() const;
     /// What a reader must know of what the page does not hold; empty where it holds all.
     std::string omissions() const;
 
@@ -45,11 +57,19 @@ class EmbeddedPlanes {
         std::vector<bool> taken;  ///< of the directory's blocks
     };
 
+    /// Blocks that lie in one script.
+    struct Group {
+        std::string script;
+        std::vector<std::size_t> blocks;
+    };
+
     static bool has_guess(const Choice& choice, std::size_t i);
-    static void take(Choice& choice, int tier, const Tiers& tiers, std::size_t& budget);
-    static FileAsBase64 taken_from(const Choice& choice);
+    void take(Choice& choice, int tier, std::size_t& budget) const;
+    std::vector<Group> groups_beside(const Choice& choice) const;
+    FileAsBase64 taken_from(const Choice& choice) const;
     static nlohmann::json left_out(const Choice& choice);
 
+    Tiers tiers_;
     std::vector<Choice> choices_;
 };
 

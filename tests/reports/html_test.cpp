@@ -11,6 +11,7 @@
 #include "reports/html_parts.h"
 #include "reports/page_scripts.h"
 #include "reports/planes/container.h"
+#include "reports/planes/embedded.h"
 #include "tests/reports/packed_page.h"
 #include "tests/reports/sample.h"
 
@@ -250,6 +251,34 @@ TEST(Html, NeverEmbedsAPlaneWithoutTheOneThatItIsGuessedFrom) {
     const std::string page = to_html(results, run.path(), 300'000);
     EXPECT_EQ(left_out(page, 1), json({"candidate.id", "reference.id"}));
     EXPECT_EQ(left_out(to_html(results, run.path()), 1), json());
+}
+
+/// Blocks of a group end alike.
+std::string last_letter(const std::string& block) { return block.substr(block.size() - 1); }
+
+TEST(EmbeddedPlanes, PutsWhatThePageHasNoRoomForIntoScriptsBesideIt) {
+    const TestFolder run;
+    const planes::Container all = sample_planes(30'000);
+    write_file(run.path() / "planes.zvp", planes::packed(all));
+    const auto embedded = [&](std::size_t budget) {
+        return planes::EmbeddedPlanes({{"view-1", run.path() / "planes.zvp"}},
+                                      {1, [](const std::string&) { return 0; }, last_letter}, budget);
+    };
+    EXPECT_TRUE(embedded(1'000'000).scripts().empty());
+    const planes::EmbeddedPlanes none = embedded(0);
+    Page page;
+    none.append_to(page);
+    EXPECT_EQ(embedded_planes(text_of(page), "view-1").header.at("scripts"),
+              json({{"planes/view-1-1.js", {"class"}},
+                    {"planes/view-1-2.js", {"candidate.id"}},
+                    {"planes/view-1-3.js", {"candidate.depth"}}}));
+    ASSERT_EQ(none.scripts().size(), 3u);
+    EXPECT_EQ(none.scripts()[1].name, "planes/view-1-2.js");
+    EXPECT_EQ(text_of(none.scripts()[1].text), "zproofPlanes(\"planes/view-1-2.js\",\"" +
+                                                   base64(planes::packed({json::object(), {all.blocks[1]}})) +
+                                                   "\")\n");
+    EXPECT_NE(none.omissions().find("3 planes (0.1 MB) of the views lie beside this page"),
+              std::string::npos);
 }
 
 TEST(Html, DamagedPlanesAreNamed) {

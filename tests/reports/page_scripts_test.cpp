@@ -18,6 +18,9 @@ TEST(PageScripts, StandInTheirElementsWithoutEndingThem) {
             occurrences(content_policy(script), "script-src 'sha256-" + std::string(script.sha256) + "';"),
             1u);
     }
+    PageScript loading = viewer_script();
+    loading.loads_others = true;
+    EXPECT_EQ(occurrences(content_policy(loading), "' 'self' file:; style-src"), 1u);
     EXPECT_NE(table_script().sha256, viewer_script().sha256);
 }
 

@@ -1,6 +1,6 @@
 // The viewer of filters.html in a real browser, over a study of the real program.
 import assert from 'node:assert/strict';
-import {readFileSync} from 'node:fs';
+import {copyFileSync, mkdirSync, readFileSync, statSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, describe, it} from 'node:test';
 import {readExr} from './exr.mjs';
@@ -74,6 +74,50 @@ describe('a filter study', () => {
         await choose(page, join(study, 'pictures/tunnel-aside/planes.zvp'));
         await viewerShows(page, 'tunnel-aside');
         assert.match(await page.textContent('#viewer .bar h1'), /tunnel aside/);
+        await page.close();
+    });
+});
+
+/// The page has no room for its planes: they lie in scripts beside it.
+describe('a large study', () => {
+    let large;
+    before(() => {
+        large = join(folder, 'large');
+        zproof(0, 'filters', 'run', 'tunnel', '--view', 'aside', '--methods', methods.join(), '--width', 640, '--height', 480,
+               '--flicker', '0', '-o', large);
+    });
+
+    it('shows every method with the bits of its picture, from a page of 3 MB', async () => {
+        assert.equal(statSync(join(large, 'filters.html')).size < 3e6, true);
+        const page = await openReport(browser, large, '#view=tunnel-aside', {}, 'filters.html');
+        for (const method of methods) {
+            await page.selectOption('#viewer select.method', method);
+            await viewerShows(page);
+            assert.equal(await page.isVisible('#viewer .pane-note'), false, method);
+        }
+        await press(page, 'q');
+        await page.waitForFunction(() => document.getElementById('viewer').dataset.digests);
+        const digests = JSON.parse(await page.evaluate(() => document.getElementById('viewer').dataset.digests));
+        for (const method of methods) {
+            const {planes} = readExr(readFileSync(join(large, 'pictures/tunnel-aside', method + '.exr')));
+            for (const channel of ['R', 'G', 'B'])
+                assert.equal(digests[`method.${method}.${channel.toLowerCase()}`], crc32(new Uint8Array(planes[channel].buffer)), `${method} ${channel}`);
+        }
+        await says(page, 'every bit is what was written');
+        assert.deepEqual(page.trouble, []);
+        await page.close();
+    });
+
+    it('says what is missing where its page stands alone, and opens it', async () => {
+        const alone = join(folder, 'alone');
+        mkdirSync(alone);
+        copyFileSync(join(large, 'filters.html'), join(alone, 'filters.html'));
+        const page = await openReport(browser, alone, '', {}, 'filters.html');
+        await press(page, 'v');
+        await says(page, 'tunnel/aside cannot be shown: planes of it lie beside the page');
+        await choose(page, join(large, 'pictures/tunnel-aside/planes.zvp'));
+        await viewerShows(page, 'tunnel-aside');
+        assert.equal(await page.isVisible('#viewer .pane-note'), false);
         await page.close();
     });
 });
@@ -213,17 +257,17 @@ describe('the look of a study', () => {
         for (const width of [1600, 1400, 1280, 1000]) {
             const page = await sized(width, '&x=48&y=50');
             assert.deepEqual((await texts(page, '#viewer .worst-box')).map(([, isCut]) => isCut), [false], `${width} px`);
-            assert.deepEqual((await texts(page, '#viewer .pane-value')).filter(([, isCut]) => isCut), [], `${width} px`);
+            assert.deepEqual((await texts(page, '#viewer .pane:not([hidden]) .pane-value')).filter(([, isCut]) => isCut), [], `${width} px`);
             await page.close();
         }
         const coloured = await open('#view=tunnel-aside&method=nearest&x=48&y=50', {viewport: {width: 1400, height: 900}});
-        assert.deepEqual((await texts(coloured, '#viewer .pane-value')).filter(([text, isCut]) => isCut || text.split(' ').length !== 3), []);
+        assert.deepEqual((await texts(coloured, '#viewer .pane:not([hidden]) .pane-value')).filter(([text, isCut]) => isCut || text.split(' ').length !== 3), []);
         await coloured.close();
     });
 
     it('fits a narrow window, bar and panes', async () => {
         const page = await sized(390);
-        const right = await page.$$eval('#viewer .bar > *, #viewer .pane', (all) => Math.max(...all.map((one) => one.getBoundingClientRect().right)));
+        const right = await page.$$eval('#viewer .bar > *, #viewer .pane:not([hidden])', (all) => Math.max(...all.map((one) => one.getBoundingClientRect().right)));
         assert.equal(right <= 390, true, `${right} px`);
         await page.close();
     });
@@ -267,7 +311,7 @@ describe('the look of a study', () => {
             return before === canvas ? [x - half - left - width] : [];
         }));
         assert.equal(gaps.length >= 3 && Math.min(...gaps) >= 2, true, `${gaps}`);
-        const heads = await page.$$eval('#viewer .pane', (panes) => panes.map((pane) => [
+        const heads = await page.$$eval('#viewer .pane:not([hidden])', (panes) => panes.map((pane) => [
             pane.querySelector('select').selectedOptions[0].textContent, pane.querySelector('.colour-key').textContent]));
         assert.deepEqual(heads, [['trilinear-gl', ''], ['truth', ''], ['trilinear-gl − truth', 'darkerbrighter'], ['nearest', '']]);
         await page.close();
@@ -320,6 +364,52 @@ describe('the keys of a study', () => {
         await viewerShows(page);
         assert.equal(await page.inputValue('#viewer select.method'), 'trilinear-gl');
         assert.notEqual(await paneDigest(page, 0), before);
+        await page.close();
+    });
+
+    it('all methods stand side by side, and errors after pictures', async () => {
+        const page = await open('#view=worked-phi-45&method=trilinear-gl');
+        const shown = () => page.$$eval('#viewer .pane:not([hidden]) > .pane-head select', (all) => all.map((one) => one.value));
+        for (const kind of ['picture', 'error']) {
+            await press(page, 'f');
+            assert.deepEqual(await shown(), ['trilinear-gl', 'ewa-true', 'nearest'].map((method) => `${kind}:${method}`));
+        }
+        await press(page, 'f');
+        assert.deepEqual(await shown(), ['method', 'truth', 'signed', 'other']);
+        for (const count of [6, 9, 2]) {
+            await press(page, 'm');
+            assert.equal((await shown()).length, count);
+        }
+        assert.deepEqual(page.trouble, []);
+        await page.close();
+    });
+
+    it('a link opens as many panes as it names', async () => {
+        const page = await open('#view=worked-phi-45&layers=truth,picture%3Anearest,error%3Anearest');
+        assert.equal(await page.getAttribute('#viewer .panes', 'data-count'), '3');
+        await page.close();
+    });
+
+    it('exposure, range and colours of errors change panes and their keys, and come back', async () => {
+        const page = await open('#view=worked-phi-45&method=trilinear-gl&layers=method,error,signed,other');
+        const heads = () => page.$$eval('#viewer .pane:not([hidden])', (panes) => panes.map((pane) =>
+            pane.querySelector('select').selectedOptions[0].textContent + ' ' + pane.querySelector('.colour-key').textContent));
+        const digests = async () => [await paneDigest(page, 0), await paneDigest(page, 1), await paneDigest(page, 2)];
+        const before = await digests(), first = await heads();
+        const after = async (...keys) => {
+            await press(page, ...keys);
+            await viewerShows(page);
+            return (await digests()).map((digest, i) => digest !== before[i]);
+        };
+        assert.deepEqual(await after(')'), [true, false, false]);
+        assert.match((await heads())[0], /^trilinear-gl, \+1 EV/);
+        assert.deepEqual(await after('('), [false, false, false]);
+        assert.deepEqual(await after('r'), [false, true, true]);
+        assert.match((await heads())[1], /0\.000244.*0\.25$/);
+        assert.deepEqual(await after('r', 'r', 'r'), [false, false, false]);
+        assert.deepEqual(await after(';'), [false, true, false]);
+        assert.deepEqual(await after(';'), [false, false, false]);
+        assert.deepEqual(await heads(), first);
         await page.close();
     });
 

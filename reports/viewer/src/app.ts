@@ -45,7 +45,7 @@ export class App {
                 current.selection = selection;
                 this.panes.select(selection);
             },
-            relayer: () => void this.relayer(),
+            relayer: () => void this.relayer(), tile: (layers) => void this.panes.tile(layers),
         });
         this.help = new Help(this.subject.keys.map(([name, meaning]) => [name, meaning]));
         this.address = new Address(current, this.panes, () => this.isOpen, () => this.subject.place());
@@ -194,7 +194,7 @@ export class App {
         const {planes, look} = this.current;
         if (!planes) return;
         this.subject.follow(place);
-        if (place.layers) place.layers.slice(0, 4).forEach((id, i) => void this.panes.setLayer(i, id));
+        if (place.layers) void this.panes.tile(place.layers);
         if (place.x === undefined || place.y === undefined) return;
         if (place.x >= planes.width || place.y >= planes.height)
             return this.notice.tell(`Pixel ${place.x}, ${place.y} lies outside this view.`);

@@ -7,7 +7,8 @@ export type BlockFacts = {
 
 /// What every container says of its view.
 export type Header = {width: number; height: number; scene: string; view: string; blocks: BlockFacts[];
-                      leftOut?: string[]};  // names of blocks that the page does not hold
+                      leftOut?: string[];  // names of blocks that the page does not hold
+                      scripts?: Record<string, string[]>};  // of these, by the file beside the page that does
 
 /// Of a judged view (reports/planes/view_planes.cpp).
 export type JudgedHeader = Header & {

@@ -2,6 +2,7 @@
 import type {Channels} from './channels';
 import {encoded, errorPalette, fromHex, ground, noNumber, packed, viridis} from './colours';
 import {claimPlanesOf} from './filter_claim';
+import type {FilterChoice} from './filter_inspector';
 import {asFloats, codeOf, planesOf} from './filter_view';
 import type {FilterView} from './filter_view';
 import type {ColourKey, Layer, Painted} from './layers';
@@ -11,38 +12,57 @@ import type {Planes} from './planes';
 /// Of greys one number.
 function triple(numbers: string[]): string { return new Set(numbers).size === 1 ? numbers[0] : numbers.join(' '); }
 
-function pictureLayer(id: string, title: string, needs: string[], channels: () => Promise<Channels | null>): Layer {
+/// How bright pictures are shown, and which errors.
+export type Tone = {
+    stops: number;    // of exposure, pictures are 2^stops times as bright
+    octaves: number;  // the loudest error is 2^-octaves
+    grey: boolean;    // errors
+};
+
+function pictureLayer(id: string, title: string, needs: string[], tone: Tone, channels: () => Promise<Channels | null>): Layer {
+    const gain = 2 ** tone.stops;
     return {
-        id, title, needs,
+        id, title: tone.stops ? `${title}, ${signed(tone.stops)} EV` : title, needs,
         async paint() {
             const [r, g, b] = (await channels())!;
-            const at = (p: number) => Number.isFinite(r[p] + g[p] + b[p]) ? packed(encoded(r[p]), encoded(g[p]), encoded(b[p])) : noNumber;
+            const at = (p: number) => Number.isFinite(r[p] + g[p] + b[p])
+                ? packed(encoded(gain * r[p]), encoded(gain * g[p]), encoded(gain * b[p])) : noNumber;
             return {colour: at, text: (p) => triple([r, g, b].map((c) => rounded(c[p]))), label: (p) => rounded((r[p] + g[p] + b[p]) / 3), bits: at};
         },
     };
 }
 
-const codeOfOne = 201, leastCode = codeOfOne - 40;  // errors are shown from 2^-10 up to 1
+const codeOfOne = 201, shownCodes = 40;  // errors are shown over ten octaves
 
 /// 0 to 1: how loud an error of this code is.
-function loudness(code: number): number { return Math.min(1, Math.max(0, (code - leastCode) / (codeOfOne - leastCode))); }
+function loudness(code: number, tone: Tone): number {
+    return Math.min(1, Math.max(0, (code - codeOfOne + shownCodes + 4 * tone.octaves) / shownCodes));
+}
 
-const magnitudePalette = Uint32Array.from({length: 256}, (_, code) =>
-    code <= 1 ? ground : viridis[Math.round(255 * (0.08 + 0.92 * loudness(code)))]);
+const greys = Uint32Array.from({length: 256}, (_, i) => packed(i, i, i));
 
-const magnitudeKey: ColourKey = {
-    from: '1/1000', colours: [leastCode, leastCode + 10, leastCode + 20, leastCode + 30, codeOfOne].map((code) => magnitudePalette[code]), to: '1'};
+function magnitudePalette(tone: Tone): Uint32Array {
+    const colours = tone.grey ? greys : viridis;
+    return Uint32Array.from({length: 256}, (_, code) => code <= 1 ? ground : colours[Math.round(255 * (0.08 + 0.92 * loudness(code, tone)))]);
+}
+
+/// From the faintest error that is told apart to the loudest.
+function magnitudeKey(tone: Tone): ColourKey {
+    const one = codeOfOne - 4 * tone.octaves, palette = magnitudePalette(tone);
+    return {from: rounded(2 ** (-10 - tone.octaves)), colours: [40, 30, 20, 10, 0].map((below) => palette[one - below]), to: rounded(2 ** -tone.octaves)};
+}
 
 export function magnitudeCodes(errors: Float32Array): Uint8Array { return Uint8Array.from(errors, (e) => e === 0 ? 0 : codeOf(e)); }
 
-function magnitudeLayer(view: FilterView, id: string, method: string): Layer {
+function magnitudeLayer(view: FilterView, id: string, method: string, tone: Tone): Layer {
+    const palette = magnitudePalette(tone);
     return {
-        id, title: `|${method} − truth|`, needs: planesOf(method), key: magnitudeKey,
+        id, title: `|${method} − truth|`, needs: planesOf(method), key: magnitudeKey(tone),
         async paint() {
             await view.need(method);
             const errors = view.errors(method)!, values = magnitudeCodes(errors);
-            return {colour: (p) => magnitudePalette[values[p]], text: (p) => rounded(errors[p]), label: (p) => rounded(errors[p]),
-                    bits: (p) => values[p], severity: {values, palette: magnitudePalette, dotted: 256}};
+            return {colour: (p) => palette[values[p]], text: (p) => rounded(errors[p]), label: (p) => rounded(errors[p]),
+                    bits: (p) => values[p], severity: {values, palette, dotted: 256}};
         },
     };
 }
@@ -55,7 +75,10 @@ const signedPalette = Uint32Array.from({length: 256}, (_, code) => {
         : packed(Math.round(70 + 185 * t), Math.round(40 + 110 * t), dark);
 });
 
-const signedKey: ColourKey = {from: 'darker', colours: [163, 83, 0, 82, 162].map((code) => signedPalette[code]), to: 'brighter'};
+function signedKey({octaves}: Tone): ColourKey {
+    const by = octaves ? ` by ${rounded(2 ** -octaves)}` : '';
+    return {from: 'darker' + by, colours: [163, 83, 0, 82, 162].map((code) => signedPalette[code]), to: 'brighter' + by};
+}
 
 /// The difference of the channel that is farthest off.
 function worstDifference(picture: Channels, truth: Channels, p: number): number {
@@ -67,16 +90,16 @@ function worstDifference(picture: Channels, truth: Channels, p: number): number 
     return worst;
 }
 
-function signedLayer(view: FilterView, id: string, method: string): Layer {
+function signedLayer(view: FilterView, id: string, method: string, tone: Tone): Layer {
     return {
-        id, title: `${method} − truth`, needs: planesOf(method), key: signedKey,
+        id, title: `${method} − truth`, needs: planesOf(method), key: signedKey(tone),
         async paint() {
             await view.need(method);
             const picture = view.picture(method)!, truth = view.truth!;
             const at = (p: number) => worstDifference(picture, truth, p);
             const values = Uint8Array.from({length: truth[0].length}, (_, p) => {
                 const difference = at(p);
-                return difference === 0 ? 0 : 2 * Math.round(1 + 80 * loudness(codeOf(Math.abs(difference)))) + (difference < 0 ? 1 : 0);
+                return difference === 0 ? 0 : 2 * Math.round(1 + 80 * loudness(codeOf(Math.abs(difference)), tone)) + (difference < 0 ? 1 : 0);
             });
             const signs = (p: number) => triple(picture.map((c, i) => signed(c[p] - truth[i][p])));
             return {colour: (p) => signedPalette[values[p]], text: signs, label: (p) => signed(at(p)), bits: (p) => values[p],
@@ -194,17 +217,24 @@ function regionLayer(view: FilterView): Layer {
     };
 }
 
+/// Of the layers of every method.
+export function tiledId(kind: 'picture' | 'error', method: string): string { return `${kind}:${method}`; }
+
 /// Every layer of a view, the most asked for first; `offered` are the names of planes that exist, in the page or not.
-export function filterLayers(view: FilterView, method: string, other: string, offered: Set<string>): Layer[] {
-    const picture = (id: string, label: string) => pictureLayer(id, label, planesOf(label), async () => {
+export function filterLayers(view: FilterView, {method, other, tone}: FilterChoice, offered: Set<string>): Layer[] {
+    const picture = (id: string, label: string) => pictureLayer(id, label, planesOf(label), tone, async () => {
         await view.need(label);
         return view.picture(label);
     });
     const layers = [
-        picture('method', method), pictureLayer('truth', 'truth', ['truth.r', 'truth.g', 'truth.b'], async () => view.truth),
-        signedLayer(view, 'signed', method), magnitudeLayer(view, 'error', method), picture('other', other),
-        signedLayer(view, 'other-signed', other), flipLayer('flip', method), lodLayer(), anisotropyLayer(), regionLayer(view),
-        outsideLayer(view, 'outside', method), ratioLayer(view, 'ratio', method), magnitudeLayer(view, 'other-error', other), flipLayer('other-flip', other),
+        picture('method', method), pictureLayer('truth', 'truth', ['truth.r', 'truth.g', 'truth.b'], tone, async () => view.truth),
+        signedLayer(view, 'signed', method, tone), magnitudeLayer(view, 'error', method, tone), picture('other', other),
+        signedLayer(view, 'other-signed', other, tone), flipLayer('flip', method), lodLayer(), anisotropyLayer(), regionLayer(view),
+        outsideLayer(view, 'outside', method), ratioLayer(view, 'ratio', method), magnitudeLayer(view, 'other-error', other, tone),
+        flipLayer('other-flip', other),
     ];
-    return layers.filter((layer) => layer.needs.every((name) => offered.has(name)));
+    const tiled = view.header.methods.flatMap((label) => [
+        {...picture(tiledId('picture', label), label), group: 'pictures of all methods'},
+        {...magnitudeLayer(view, tiledId('error', label), label, tone), group: 'errors of all methods'}]);
+    return [...layers, ...tiled].filter((layer) => layer.needs.every((name) => offered.has(name)));
 }

@@ -3,7 +3,7 @@ import {Drawer} from './drawer';
 import {element, replaceChildren} from './element';
 import {FilterInspector} from './filter_inspector';
 import type {FilterChoice} from './filter_inspector';
-import {filterLayers, magnitudeCodes, regionColour} from './filter_layers';
+import {filterLayers, magnitudeCodes, regionColour, tiledId} from './filter_layers';
 import {FilterView} from './filter_view';
 import {FilterWalk} from './filter_walk';
 import {RegionTable} from './filter_worst';
@@ -73,10 +73,39 @@ class MethodChoice {
     }
 }
 
+/// Keys of how pictures and errors are shown.
+class ToneKeys {
+    constructor(private readonly choice: FilterChoice, private readonly stage: Stage) {}
+
+    expose(stops: number): void { this.set({stops: this.choice.tone.stops + stops}); }
+    nextRange(): void { this.set({octaves: (this.choice.tone.octaves + 2) % 8}); }
+    recolour(): void { this.set({grey: !this.choice.tone.grey}); }
+
+    private set(change: Partial<FilterChoice['tone']>): void {
+        this.choice.tone = {...this.choice.tone, ...change};
+        this.stage.relayer();
+    }
+}
+
+/// Small multiples: first the methods' pictures, then their errors, then the four panes again.
+class Tiles {
+    private turn = 0;
+
+    constructor(private readonly choice: FilterChoice, private readonly stage: Stage, private readonly methods: () => string[]) {}
+
+    next(): void {
+        this.turn = (this.turn + 1) % 3;
+        const labels = this.methods(), first = Math.max(0, labels.indexOf(this.choice.method));
+        const turned = [...labels.slice(first), ...labels.slice(0, first)];
+        this.stage.tile(this.turn === 0 ? studyLayers : turned.map((label) => tiledId(this.turn === 1 ? 'picture' : 'error', label)));
+    }
+}
+
 export function filterStudyOf(study: Study, stage: Stage): Subject {
-    const choice: FilterChoice = {method: '', other: ''};
+    const choice: FilterChoice = {method: '', other: '', tone: {stops: 0, octaves: 0, grey: false}};
     let open: FilterView | null = null;
     const methods = new MethodChoice(choice, () => stage.relayer());
+    const tones = new ToneKeys(choice, stage), tiles = new Tiles(choice, stage, () => open?.header.methods ?? []);
     const walk = new FilterWalk(stage, choice, () => open);
     const table = new RegionTable(stage.go);
     const drawer = new Drawer(stage, {
@@ -109,13 +138,17 @@ export function filterStudyOf(study: Study, stage: Stage): Subject {
             }
             await Promise.all([choice.method, choice.other].map((label) => open!.need(label)));
         },
-        layers: (planes) => open ? filterLayers(open, choice.method, choice.other, new Set([...planes.names(), ...planes.leftOut])) : [],
+        layers: (planes) => open ? filterLayers(open, choice, new Set([...planes.names(), ...planes.leftOut])) : [],
         atOnce: () => ['half_width', 'major', 'minor', 'lod'],
         later: (planes) => [`method.${choice.method}.flip`].filter((name) => planes.has(name)),
         place: () => ({method: choice.method, other: choice.other}),
         follow: ({method = choice.method, other}) =>
             methods.set(method, other ?? (method === choice.other ? choice.method : choice.other)),
         keys: [['G / B', 'next / previous method', {g: () => methods.step(1), b: () => methods.step(-1)}],
-               ['I', 'swap both methods', {i: () => methods.swap()}]],
+               ['I', 'swap both methods', {i: () => methods.swap()}],
+               ['F', 'all methods side by side, from this one on: pictures, errors, four panes', {f: () => tiles.next()}],
+               ['( / )', 'exposure of pictures by a stop', {'(': () => tones.expose(-1), ')': () => tones.expose(1)}],
+               ['R', 'range of errors: up to 1, 1/4, 1/16, 1/64', {r: () => tones.nextRange()}],
+               [';', 'errors in colours or greys', {';': () => tones.recolour()}]],
     };
 }

@@ -54,15 +54,21 @@ export class FilterView {
 
     get header(): StudyHeader { return this.planes.header as StudyHeader; }
 
+    /// Throws Error with a sentence for people where what every view has is not to be found.
     async open(): Promise<void> {
+        const always = ['region', 'inspections', ...channelNames.map((c) => 'truth.' + c)];
+        await this.planes.load([...always, 'half_width', 'major', 'minor', 'lod']);
+        if (!always.every((name) => this.planes.has(name)))
+            throw new Error('planes of it lie beside the page, in planes/, and are not found there; O opens its planes.zvp');
         this.regions = await this.planes.words('region');
         this.truth = await this.read(channelNames.map((c) => 'truth.' + c));
         this.inspections = await this.planes.json<Inspection[]>('inspections') ?? [];
     }
 
-    /// Decodes a method's picture and what its claim permits, where the page holds them.
+    /// Decodes a method's picture and what its claim permits, where they are to be found.
     async need(method: string): Promise<void> {
         const names = planesOf(method), ends = claimPlanesOf(method), hasAll = (all: string[]) => all.every((name) => this.planes.has(name));
+        await this.planes.load([...names, ...ends]);
         if (!this.channels.has(method) && hasAll(names)) this.channels.set(method, await this.read(names));
         if (!this.intervals.has(method) && hasAll(ends))
             this.intervals.set(method, {least: await this.read(ends.slice(0, 3)), greatest: await this.read(ends.slice(3))});

@@ -7,7 +7,7 @@ const groups: [string, [string, string][]][] = [
             ['[ / ]', 'previous / next view'], ['arrows, H J K L', 'crosshair by 1 pixel; with Shift by 16'],
             ['/', 'search views'], ['V', 'viewer or summary']]],
     ['Look', [['+ / −', 'zoom'], ['0', 'fit'], ['Z', 'zoom to the crosshair and back'], ['1 … 9', 'layer of the active pane'],
-              ['A', 'next pane becomes active'], ['M', '2, 3 or 4 panes'], ['T', 'light or dark']]],
+              ['A', 'next pane becomes active'], ['M', '2, 3, 4, 6 or 9 panes'], ['T', 'light or dark']]],
     ['Compare', [['Space (hold)', 'flip neighbouring panes'], ['W', 'wipe; the mouse or , and . move the line'],
                  ['D', 'difference of neighbouring panes'], ['X', 'no filter']]],
     ['Take away', [['C', 'copy a link to this pixel'], ['E', 'copy the explain command'], ['O', 'open planes.zvp'],

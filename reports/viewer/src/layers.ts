@@ -22,6 +22,7 @@ export type ColourKey = {from: string; colours: number[]; to: string};
 
 export type Layer = {
     id: string; title: string; key?: ColourKey;
+    group?: string;  // in the list of layers
     needs: string[];  // names of planes
     paint(planes: Planes): Promise<Painted>;
 };

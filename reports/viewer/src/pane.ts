@@ -36,8 +36,9 @@ export class Pane {
         this.choice.title = layer.title;
         this.canvas.setAttribute('aria-label', layer.title);
         this.tellColours(layer.key);
-        const missing = layer.needs.filter((name) => !planes.has(name));
-        if (missing.length) {
+        await planes.load(layer.needs);
+        if (ticket !== this.wanted) return;
+        if (layer.needs.some((name) => !planes.has(name))) {
             this.planes = planes;
             this.painted = null;
             return this.say(`${layer.title} is not in this page, to keep it small. Drop this view's planes.zvp ` +

@@ -1,4 +1,4 @@
-// Two to four panes with one look: pointer and wheel move all of them together.
+// Two to nine panes with one look: pointer and wheel move all of them together.
 import {element, replaceChildren} from './element';
 import type {Layer} from './layers';
 import type {Look, Size} from './look';
@@ -9,10 +9,11 @@ import type {Selection} from './raster';
 
 type Comparison = 'none' | 'flip' | 'wipe' | 'difference';
 
+export const paneCounts = [2, 3, 4, 6, 9];
 
 export class Panes {
     readonly root = element('div', {class: 'panes', 'data-count': 4});
-    private readonly panes = [new Pane(), new Pane(), new Pane(), new Pane()];
+    private readonly panes = Array.from({length: Math.max(...paneCounts)}, () => new Pane());
     private readonly chosen: string[];
     private layers: Layer[] = [];
     private planes: Planes | null = null;
@@ -37,7 +38,7 @@ export class Panes {
     }
 
     /// No more than there are layers.
-    private get count(): number { return Math.min(this.wanted, Math.max(1, this.layers.length)); }
+    private get count(): number { return Math.max(1, ...paneCounts.filter((count) => count <= Math.min(this.wanted, this.layers.length))); }
 
     get size(): Size { return this.panes[0].size; }
 
@@ -52,10 +53,19 @@ export class Panes {
     /// Other layers of the same view; every pane keeps the id of its own.
     async setLayers(layers: Layer[]): Promise<void> {
         this.layers = layers;
-        this.root.dataset.count = String(this.count);
+        this.arrange();
+        const options = (group: string | undefined) => layers.filter((layer) => layer.group === group)
+            .map((layer) => element('option', {value: layer.id}, layer.title));
+        const groups = [...new Set(layers.map((layer) => layer.group))].filter((group) => group !== undefined);
         for (const pane of this.panes)
-            replaceChildren(pane.choice, ...layers.map((layer) => element('option', {value: layer.id}, layer.title)));
+            replaceChildren(pane.choice, ...options(undefined), ...groups.map((label) => element('optgroup', {label}, ...options(label))));
         await this.showAll();
+    }
+
+    private arrange(): void {
+        this.active = Math.min(this.active, this.count - 1);
+        this.root.dataset.count = String(this.count);
+        this.panes.forEach((pane, i) => { pane.root.hidden = i >= this.count; });
     }
 
     private async showAll(): Promise<void> {
@@ -79,11 +89,18 @@ export class Panes {
         if (this.layers[n]) void this.setLayer(this.active, this.layers[n].id);
     }
 
-    /// 2, 3 or 4 panes in turn.
-    async cycle(): Promise<void> {
-        this.wanted = this.wanted === 4 ? 2 : this.wanted + 1;
-        this.active = Math.min(this.active, this.count - 1);
-        this.root.dataset.count = String(this.count);
+    /// 2, 3, 4, 6 or 9 panes in turn.
+    async cycle(): Promise<void> { await this.resize(paneCounts[(paneCounts.indexOf(this.wanted) + 1) % paneCounts.length]); }
+
+    /// These layers side by side, in as many panes as they need; of too many the first.
+    async tile(ids: string[]): Promise<void> {
+        this.chosen.splice(0, ids.length, ...ids.slice(0, Math.max(...paneCounts)));
+        await this.resize(paneCounts.find((count) => count >= ids.length) ?? Math.max(...paneCounts));
+    }
+
+    private async resize(count: number): Promise<void> {
+        this.wanted = count;
+        this.arrange();
         if (this.planes) await this.showAll();
         if (this.look?.isFitted) this.fit();
     }
@@ -137,7 +154,7 @@ export class Panes {
         if (!this.look) return;
         const comparison = this.forced ?? this.comparison;
         this.panes.slice(0, this.count).forEach((pane, i) => {
-            const other = this.panes[i ^ 1], pair = other.current && (i ^ 1) < this.count ? other : null;
+            const other = this.panes[i ^ 1], pair = other?.current && (i ^ 1) < this.count ? other : null;
             const wipe: Wipe | null = comparison === 'wipe' && pair ? {layer: pair.current!, at: this.wipeAt} : null;
             const instead = !pair ? null : comparison === 'flip' ? pair.current :
                 comparison === 'difference' && i % 2 === 1 ? pane.differenceFrom(pair) : null;

@@ -1,6 +1,7 @@
 // The planes of one view: decoded when first asked for, and kept.
 import {beside, doublesFrom, fromChannels, fromLeft, fromPlanar, fromRuns, inflated, sparse} from './coding';
 import type {Container, Header, JudgedHeader} from './container';
+import {containerIn} from './scripts_beside';
 import type {Story, TriangleRange} from './story';
 
 export type Findings = {
@@ -17,6 +18,7 @@ export class Planes {
     private readonly ready = new Map<string, Made>();
     private readonly known = new Map<number, number>();  // pixel -> row of findings
     private readonly told = new Map<number, Story>();
+    private readonly loading = new Map<string, Promise<void>>();  // by the script's file
     classes: Uint8Array = new Uint8Array(0);
     findings: Findings | null = null;
     stories: Story[] = [];
@@ -33,6 +35,20 @@ export class Planes {
     /// Names of what the page does not hold of it.
     get leftOut(): string[] { return this.header.leftOut ?? []; }
     names(): string[] { return [...this.container.blocks.keys()].filter((name) => this.has(name)); }
+    /// Loads what lies beside the page of these. What is not found there is left out.
+    async load(names: string[]): Promise<void> {
+        const beside = Object.entries(this.header.scripts ?? {}).filter(([, blocks]) => blocks.some((name) => names.includes(name)));
+        await Promise.all(beside.map(([file]) => {
+            if (!this.loading.has(file)) this.loading.set(file, this.take(file));
+            return this.loading.get(file);
+        }));
+    }
+
+    private async take(file: string): Promise<void> {
+        const container = await containerIn(file);
+        for (const [name, block] of container?.blocks ?? []) this.container.blocks.set(name, block);
+    }
+
     /// Can it be decoded?
     has(name: string): boolean {
         const block = this.container.blocks.get(name);

@@ -50,6 +50,7 @@ export type Stage = {
     select(selection: Selection | null): void;
     link(): string;          // to the pixel under the crosshair
     relayer(): void;         // layers() gives others now
+    tile(layers: string[]): void;  // these ids side by side
 };
 
 export type Subject = {

@@ -137,7 +137,7 @@ TEST(FiltersPage, HoldsWhatPeopleTypedAndNothingFromTheNetwork) {
                               .crop = {1, 2, 3, 4},
                               .crops = {{"truth", "data:,"}},
                               .plots = filters_plots(results, results.views[0], {})};
-    const std::string page = text_of(filters_page(results, {{figures}, {}}, "no folder"));
+    const std::string page = text_of(filters_page(results, {{figures}, {}}, "no folder").page);
     EXPECT_NE(page.find("zproof filters run &lt;x&gt;"), std::string::npos);
     EXPECT_NE(page.find("best, &amp; &quot;only&quot;"), std::string::npos);
     EXPECT_NE(page.find("not resolved"), std::string::npos);
@@ -206,7 +206,7 @@ TEST(Chart, ASeriesIsOneThingToAPage) {
 
 TEST(FiltersPage, TheFirstClickOnAMetricPutsTheBestFirst) {
     const StudyResults results = sample_study();
-    const std::string page = text_of(filters_page(results, {{ViewFigures{}}, {}}, "no folder"));
+    const std::string page = text_of(filters_page(results, {{ViewFigures{}}, {}}, "no folder").page);
     EXPECT_NE(page.find("data-first=\"ascending\">rmse</th>"), std::string::npos);
     EXPECT_NE(page.find("data-first=\"descending\">psnr</th>"), std::string::npos);
 }
@@ -296,14 +296,18 @@ PixelInspection told(std::vector<WeightFinding> findings) {
 }
 
 TEST(InspectionWords, TellTheLevelAndTheNumbersBehindTheWord) {
-    EXPECT_EQ(
-        why(told({{WeightFault::blur, false, 3.25, 0.9}})),
-        "reads level 3.25 for a minor axis of 2.1 texels: blur along the minor axis (the weights spread "
-        "over 3.25 texels, the pixel's over 0.9)");
+    EXPECT_EQ(why(told({{WeightFault::blur, false, 3.25, 0.9}})),
+              "reads level 3.25 for a minor axis of 2.1 texels: blur along the minor axis by 111.9 % of it "
+              "(the weights spread "
+              "over 3.25 texels, the pixel's over 0.9)");
     EXPECT_NE(why(told({{WeightFault::alias, true, 1, 4}})).find("alias along the major axis"),
               std::string::npos);
     EXPECT_NE(why(told({{WeightFault::shift, true, 0.5, 0}})).find("centroid lies 0.5 texels beside"),
               std::string::npos);
+    const std::string both =
+        why(told({{WeightFault::blur, true, 4.01, 4}, {WeightFault::shift, false, 0.5, 0}}));
+    EXPECT_LT(both.find("shift along the minor axis by 23.81 %"),
+              both.find("blur along the major axis by 0.1176 %"));
     EXPECT_NE(why(told({})).find("none of blur, alias and shift"), std::string::npos);
 }
 
