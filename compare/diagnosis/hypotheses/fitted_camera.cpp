@@ -107,12 +107,18 @@ Cause shifted_cause(const Numbers& n) {
         principal_point};
 }
 
-template <Distorted distorted>
+/// r is measured in units of depth, as a camera's calibration does, or in half sides of the picture.
+enum class RadiusUnit { depth, half_sides };
+
+template <Distorted distorted, RadiusUnit unit>
 constexpr CameraModel lens_model{
     1,
     [](const View& v, const Numbers& n, double) {
         FittedCamera camera = in_place(v);
+        const Window& w = v.camera.window;
         camera.lens = {n[0], distorted};
+        if (unit == RadiusUnit::half_sides)
+            camera.lens.unit = {(w.right - w.left) / 2, (w.top - w.bottom) / 2};
         return camera;
     },
     [](const View&, const Numbers& n, double) {
@@ -120,7 +126,8 @@ constexpr CameraModel lens_model{
         return Cause{"the image is distorted radially",
                      (distorted == Distorted::pixel ? "A ray meets the image at its pixel's place "
                                                     : "A pixel lies at the place of its ray ") +
-                         k1 + ", at depth 1.",
+                         k1 +
+                         (unit == RadiusUnit::depth ? ", at depth 1." : ", in half sides of the picture."),
                      "Look at the camera model: a lens's distortion is left in, or undone where there is "
                      "none."};
     }};
@@ -139,8 +146,10 @@ constexpr std::array window_models{
                 [](const View&, const Numbers& n, double) {
                     return scaled_cause(" in y", times(n[0]) + " times as high");
                 }},
-    lens_model<Distorted::ray>,
-    lens_model<Distorted::pixel>,
+    lens_model<Distorted::ray, RadiusUnit::depth>,
+    lens_model<Distorted::pixel, RadiusUnit::depth>,
+    lens_model<Distorted::ray, RadiusUnit::half_sides>,
+    lens_model<Distorted::pixel, RadiusUnit::half_sides>,
     CameraModel{2,
                 [](const View& v, const Numbers& n, double) {
                     return in_place(shifted_view(v, {-n[0], -n[1]}));

@@ -4,9 +4,15 @@
 #include <cmath>
 #include <utility>
 
+#include "compare/admissible/admissibility.h"
+#include "compare/admissible/depth_rule.h"
+
 namespace zproof {
 
 namespace {
+
+/// How far triangles are looked for around a ray, px.
+constexpr double bent_reach_px = 1;
 
 /// Decides each claim in the view whose pixel looks along the claim's bent ray.
 class BentView {
@@ -20,23 +26,18 @@ class BentView {
         const glm::dvec2 size(input_.view.width, input_.view.height), in_wide = at + size;
         if (any(lessThan(in_wide, glm::dvec2(0))) || any(greaterThanEqual(in_wide, 3.0 * size)))
             return std::nullopt;
-        const Neighbourhood around = wide_.around({int(in_wide.x), int(in_wide.y), {}}, 1);
+        SearchPixel pixel{claim.x, claim.y, bent_reach_px, {}};
+        const Claim there{int(in_wide.x), int(in_wide.y), {}};
+        for (const Neighbour& n : wide_.around(there, bent_reach_px).neighbours)
+            pixel.triangles.push_back(n.triangle);
+        const View bent = shifted_view(input_.view, sampled_at(input_.view, claim.x, claim.y) - at);
         const PrimitiveId said = claim.answer.primitive;
-        if (around.neighbours.empty() && said == PrimitiveId::none) return ReportedDepth{};
-        const auto near = std::make_shared<Scene>();
-        for (const Neighbour& n : around.neighbours) {
-            const auto first = std::uint32_t(near->vertices.position_world.size());
-            for (const glm::vec3& p : n.p_world) near->vertices.position_world.push_back(p);
-            near->triangles.push_back({first, first + 1, first + 2});
-        }
-        OtherWorld world(input_, near,
-                         shifted_view(input_.view, sampled_at(input_.view, claim.x, claim.y) - at));
-        Claim reading = claim;
-        if (said == PrimitiveId::none && world.admits(reading)) return ReportedDepth{};
-        for (std::size_t i = 0; i < around.neighbours.size(); ++i) {
-            if (!may_stand_for(PrimitiveId(around.neighbours[i].triangle), said)) continue;
-            reading.answer.primitive = PrimitiveId(i);
-            if (world.admits(reading)) return world.depth_of(reading);
+        if (said == PrimitiveId::none && is_seen(bent, pixel, claim)) return ReportedDepth{};
+        for (const std::uint32_t triangle : pixel.triangles) {
+            if (!may_stand_for(PrimitiveId(triangle), said)) continue;
+            const Claim reading{claim.x, claim.y, {PrimitiveId(triangle), claim.answer.camera_depth}};
+            if (const auto depths = depths_of(bent, reading); depths && is_seen(bent, pixel, reading))
+                return depths;
         }
         return std::nullopt;
     }
@@ -50,6 +51,30 @@ class BentView {
         view.width *= 3;
         view.height *= 3;
         return view;
+    }
+
+    /// May the view show the claim's triangle, or background, at the pixel that it is asked for?
+    bool is_seen(const View& view, const SearchPixel& pixel, const Claim& claim) const {
+        const ViewBounds bounds(view, input_.candidate.precision);
+        const PrimitiveId id = claim.answer.primitive;
+        if (id == PrimitiveId::none && claim.answer.camera_depth != background_depth) return false;
+        const double eps_px = own_eps_px(input_.scene, view, bounds, {claim.x, claim.y}, id);
+        if (eps_px > bent_reach_px) return false;
+        const Neighbourhood around = neighbourhood_of(input_.scene, view, bounds, pixel, eps_px);
+        CoplanarCache coplanar(64);
+        return around.eps_px <= bent_reach_px && is_admissible(decide(around, id, coplanar).admissibility);
+    }
+
+    /// The depths that the claimed triangle may have in that view, if its depth is one.
+    std::optional<ReportedDepth> depths_of(const View& view, const Claim& claim) const {
+        const ViewBounds shown = ViewBounds::of_shown(view, input_.candidate.precision);
+        const CornersWorld p_world = corners_of(input_.scene, std::uint32_t(claim.answer.primitive));
+        const TriangleDepth triangle(TriangleInView(view, shown, p_world), shown);
+        if (!check_depth(view, shown, p_world, triangle, {claim.x, claim.y}, claim.answer.camera_depth)
+                 .is_admissible)
+            return std::nullopt;
+        const DepthBound bound = triangle.at(claim.x, claim.y);
+        return ReportedDepth{bound.low, bound.high};
     }
 
     bool may_stand_for(PrimitiveId triangle, PrimitiveId said) const {
@@ -73,7 +98,7 @@ class BentView {
 
 glm::dvec2 RadialDistortion::ray_of(const glm::dvec2& pixel) const {
     constexpr int steps = 30;
-    const double r = length(pixel);
+    const double r = length(pixel / unit);
     if (distorted == Distorted::pixel || r == 0) return pixel * (1 + k1 * r * r);
     const double farthest = k1 < 0 ? 1 / std::sqrt(-3 * k1) : r;  // no ray meets a pixel beyond its image
     double ray = std::min(r, farthest);

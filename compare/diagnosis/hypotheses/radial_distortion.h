@@ -12,6 +12,7 @@ enum class Distorted { pixel, ray };
 struct RadialDistortion {
     double k1 = 0;
     Distorted distorted = Distorted::pixel;
+    glm::dvec2 unit{1};  ///< r is measured in it, right and up
 
     /// Where the ray of a pixel meets the plane of depth 1, right and up of the axis.
     glm::dvec2 ray_of(const glm::dvec2& pixel) const;

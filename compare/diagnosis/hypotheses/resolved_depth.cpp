@@ -41,7 +41,7 @@ struct SeenDepth {
 };
 
 /// Where more triangles come near a pixel, its depth is not explained.
-constexpr std::size_t most_neighbours = 64;
+constexpr std::size_t most_in_a_pixel = 64;
 
 /// The depths that are seen at places of one pixel after another.
 class DepthsInPixels {
@@ -54,7 +54,7 @@ class DepthsInPixels {
     std::vector<SeenDepth> at(int x, int y, const Places& places) {
         const auto [entry, is_new] = around_.try_emplace({x, y});
         if (is_new) entry->second = world_.around({x, y, {}}, 1);
-        if (entry->second.neighbours.size() > most_neighbours) entry->second.neighbours.clear();
+        if (entry->second.neighbours.size() > most_in_a_pixel) entry->second.neighbours.clear();
         const bool is_amid = is_amid_triangles(x, y);
         std::vector<SeenDepth> all;
         for (const glm::dvec2& offset : places) {
