@@ -352,15 +352,18 @@ void turn(Camera& c, double angle) {
 
 /// A pixel lies at the place of its ray times 1 + k1 r^2, at depth 1; or the other way round.
 Aim distorted(const View& view, double k1, bool of_the_ray) {
-    return [=](int x, int y) {
-        const glm::dvec2 half(view.camera.window.right, view.camera.window.top);
-        const glm::dvec2 half_px(view.width / 2.0, view.height / 2.0);
-        const glm::dvec2 pixel = (glm::dvec2(x, y) + 0.5 - half_px) / half_px * half;
-        glm::dvec2 ray = pixel;
-        for (int i = 0; i < 100; ++i) ray = pixel / (1 + k1 * dot(ray, ray));
-        if (!of_the_ray) ray = pixel * (1 + k1 * dot(pixel, pixel));
-        return ray / half * half_px + half_px;
-    };
+    const glm::dvec2 half(view.camera.window.right, view.camera.window.top);
+    const glm::dvec2 half_px(view.width / 2.0, view.height / 2.0);
+    std::vector<glm::dvec2> aims;
+    for (int y = 0; y < view.height; ++y)
+        for (int x = 0; x < view.width; ++x) {
+            const glm::dvec2 pixel = (glm::dvec2(x, y) + 0.5 - half_px) / half_px * half;
+            glm::dvec2 ray = pixel;
+            for (int i = 0; i < 100; ++i) ray = pixel / (1 + k1 * dot(ray, ray));
+            if (!of_the_ray) ray = pixel * (1 + k1 * dot(pixel, pixel));
+            aims.push_back(ray / half * half_px + half_px);
+        }
+    return [aims, width = view.width](int x, int y) { return aims[std::size_t(y * width + x)]; };
 }
 
 /// Cameras that are off by a number.
