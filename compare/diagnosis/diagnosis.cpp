@@ -469,7 +469,13 @@ class Diagnoser {
         return diagnosis;
     }
 
+    static bool have_equal_planes(const Hypothesis& one, const Hypothesis& other) {
+        const Camera &a = one.view.camera, &b = other.view.camera;
+        return a.near_depth == b.near_depth && a.far_depth == b.far_depth;
+    }
+
     /// Names the best first, and its runners-up; not those that do as well because they fit more numbers.
+    /// What fits another near or far plane is another story.
     static void name(const std::vector<Explanation>& causes, const std::vector<HypothesisTest>& first_ranked,
                      Diagnosis& diagnosis) {
         diagnosis.cause = causes.front();
@@ -477,7 +483,8 @@ class Diagnoser {
         diagnosis.runners_up.clear();
         const HypothesisTest& cause = first_ranked.front();
         for (const HypothesisTest& t : std::span(first_ranked).subspan(1))
-            if (!t.suffices() || t.hypothesis->learned_bits <= cause.hypothesis->learned_bits)
+            if (!t.suffices() || t.hypothesis->learned_bits <= cause.hypothesis->learned_bits ||
+                !have_equal_planes(*t.hypothesis, *cause.hypothesis))
                 diagnosis.runners_up.push_back(t.outcome);
     }
 

@@ -145,7 +145,7 @@ class AttributeMistake : public testing::TestWithParam<Mistake> {};
 
 TEST_P(AttributeMistake, IsNamed) {
     const auto diagnosis = diagnosis_of(GetParam());
-    ASSERT_EQ(diagnosis.has_value(), GetParam().name != "none");
+    ASSERT_EQ(diagnosis.has_value(), !GetParam().name.starts_with("none"));
     if (!diagnosis) return;
     std::string text = diagnosis->cause ? told(*diagnosis->cause) : "no cause\n";
     for (const Explanation& e : diagnosis->runners_up) text += told(e);
@@ -192,6 +192,7 @@ std::vector<Mistake> mistakes() {
     const auto eye = [](const Shown& s) { return Vector(s.view.camera.eye_world); };
     return {
         {"none", "room", normal, [](const Shown& s) { return s.normal(); }, ""},
+        {"none_for_length", "room", normal, [](const Shown& s) { return 3.0 * s.normal(); }, ""},
         {"noise", "room", normal, [](const Shown& s) { return Vector(std::sin(1e4 * s.weights.x), 1, 0); },
          ""},
         {"weights_of_0_and_1", "room", barycentrics,
@@ -247,6 +248,13 @@ std::vector<Mistake> mistakes() {
          "positions are in camera space"},
         {"positions_from_eye", "room", position, [=](const Shown& s) { return s.position() - eye(s); },
          "positions are relative to the eye"},
+        {"positions_turned", "room", position, [](const Shown& s) { return -s.position(); },
+         "positions have the wrong sign"},
+        {"normals_affine", "interpenetrating", normal,
+         [](const Shown& s) {
+             return Shown{s.scene, s.view, s.triangle, without_perspective(s)}.normal();
+         },
+         "normals are interpolated without perspective"},
         {"positions_z_up", "room", position,
          [](const Shown& s) { return Vector(s.position().x, -s.position().z, s.position().y); },
          "positions have z up instead of y"},

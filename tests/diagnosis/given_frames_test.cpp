@@ -114,6 +114,30 @@ TEST_F(GivenFrame, OfLabelsStoredAsColoursIsNamed) {
               "labels went through the curve of sRGB");
 }
 
+/// As a picture of labels that was drawn twice as large and made smaller.
+TEST_F(GivenFrame, OfBlendedLabelsIsNamed) {
+    TriangleLabels labels = this->labels();
+    for (std::uint32_t& label : labels.of_triangle) label = 20 + 50 * label;
+    View large = view_;
+    large.width *= 2;
+    large.height *= 2;
+    const Frame of_samples = with_labels(rasterizer::render(loaded_.scene, large), labels);
+    Frame said = with_labels(right_, labels);
+    for (int y = 0; y < view_.height; ++y)
+        for (int x = 0; x < view_.width; ++x) {
+            double sum = 0;
+            bool is_seen = true;
+            for (const int k : {0, 1, 2, 3}) {
+                const PrimitiveId label = of_samples.primitive.at(2 * x + k % 2, 2 * y + k / 2);
+                sum += double(std::uint32_t(label));
+                is_seen &= label != PrimitiveId::none;
+            }
+            if (is_seen) said.primitive.at(x, y) = PrimitiveId(std::uint32_t(std::lround(sum / 4)));
+        }
+    EXPECT_EQ(cause_of(said, {.said = SaidLabels{labels, said.primitive}}),
+              "labels are blended by antialiasing");
+}
+
 TEST_F(GivenFrame, OfDepthAloneWhoseBackgroundHasADepthIsNamed) {
     const auto far = float(view_.camera.far_depth);
     for (const float depth : {0.0f, far, -1.0f, std::nanf("")})

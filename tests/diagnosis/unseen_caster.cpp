@@ -179,7 +179,7 @@ const std::vector<CasterDefect>& caster_defects() {
          .true_names = {},
          .p_raster = [](const View& v, int x,
                         int y) { return centre(x, (x / 8 + y / 8) % 5 == 0 ? partner(y, v.height) : y); }},
-        {.name = "barrel distortion", .true_names = {}, .p_raster = barrel},
+        {.name = "barrel distortion", .true_names = {"the image is distorted radially"}, .p_raster = barrel},
         {.name = "odd triangles lost",
          .true_names = {some},
          .draws = [](const Scene&, std::uint32_t id) { return id % 2 == 0; }},

@@ -31,6 +31,7 @@ std::vector<FieldFrame> frames_of_drawing();
 std::vector<FieldFrame> frames_of_place();
 std::vector<FieldFrame> frames_of_depth();
 std::vector<FieldFrame> frames_of_depth_pictures();
+std::vector<FieldFrame> frames_of_resolves();
 std::vector<FieldFrame> frames_of_ids();
 
 }  // namespace zproof::field_reports

@@ -59,10 +59,26 @@ double read_with(double depth, double near, double far, double read_near, double
     return read_near * read_far / (read_far - z * (read_far - read_near));
 }
 
+/// A number in bytes of one base that were read to another; a byte counts as 1/255 of the first.
+double packed(double number, int written, int read) {
+    double sum = 0, weight = 1;
+    for (int k = 0; k < 4; ++k, weight /= read) {
+        const double byte = std::floor(number * written);
+        number = number * written - byte;
+        sum += byte / 255 * weight;
+    }
+    return sum;
+}
+
 /// z in [0, 1] of a standard z buffer.
 double z_of(const Seen& s) {
     const double near = s.view.camera.near_depth, far = s.view.camera.far_depth;
     return far * (s.depth - near) / (s.depth * (far - near));
+}
+
+double back_from_z(const Seen& s, double z) {
+    const double near = s.view.camera.near_depth, far = s.view.camera.far_depth;
+    return near * far / (far - z * (far - near));
 }
 
 /// In whole steps of a buffer that holds depth itself.
@@ -341,6 +357,20 @@ std::vector<FieldFrame> frames_of_depth_pictures() {
               view, [](const Seen& s) { return std::round(s.depth * 1000) / 1000; }),
         named("cut_to_millimetres", "depth is cut to whole steps of 0.001", "(uint16) (1000 * z)", view,
               [](const Seen& s) { return std::floor(s.depth * 1000) / 1000; }),
+        named("raised_to_centimetres", "depth is raised to whole steps of 0.01", "ceil(100 * z)", view,
+              [](const Seen& s) { return std::ceil(s.depth * 100) / 100; }),
+        named("packed_by_255_read_by_256", "depth is packed in bytes with 256 for 255",
+              "three.js's packDepthToRGBA before r99 and after", view,
+              [=](const Seen& s) { return 0.1 + 59.9 * packed(share(s), 255, 256); }),
+        named("z_packed_by_255_read_by_256", "depth is packed in bytes with 256 for 255",
+              "a shadow map's packing of window z", tight,
+              [](const Seen& s) { return back_from_z(s, packed(z_of(s), 255, 256)); }),
+        named("packed_by_256_read_by_255", "depth is packed in bytes with 255 for 256",
+              "CARLA: R + 256 G + 65536 B, of 1000 m", view,
+              [=](const Seen& s) { return 60 * packed(s.depth / 60, 256, 255); }),
+        named("bytes_of_256_for_255", "depth is packed in bytes with 255 for 256",
+              "a byte counts as 1/255 where it is 1/256", tight,
+              [](const Seen& s) { return back_from_z(s, packed(z_of(s), 256, 256)); }),
         named("whole_centimetres", "depth is in whole steps of 0.01", "depth in centimetres", view,
               [](const Seen& s) { return std::round(s.depth * 100) / 100; }),
     };

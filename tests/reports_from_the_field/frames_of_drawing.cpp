@@ -134,6 +134,27 @@ Shown grown(double by_px) {
     return {scene, view, cast(scene, view, {.grown_px = by_px})};
 }
 
+/// A centre on an edge is nobody's.
+Shown without_shared_edges(const Scene& scene, const View& view) {
+    const auto covers = [&](const CameraTriangle& t, int x, int y) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec2 p = raster_position(view, t.p_camera[i]),
+                             edge = raster_position(view, t.p_camera[(i + 1) % 3]) - p,
+                             to = glm::dvec2(x + 0.5, y + 0.5) - p;
+            if (std::abs(edge.x * to.y - edge.y * to.x) < 1e-9 * length(edge)) return false;
+        }
+        return true;
+    };
+    return {scene, view, cast(scene, view, {.covers = covers})};
+}
+
+/// 4 x 4 squares at depth 3, whose sides and diagonals pass through centres of pixels 1/16 wide.
+Scene wall() {
+    Scene scene = hills(4);
+    for (glm::vec3& p : scene.vertices.position_world) p = {p.x + 1.0f / 32, p.z + 1.0f / 32, -3};
+    return scene;
+}
+
 /// Its blocks of 8 x 8 px hide what is farther than the nearest depth of the triangles drawn so far there,
 /// though it should be the farthest.
 Shown with_stale_hierarchical_z() {
@@ -294,6 +315,15 @@ std::vector<FieldFrame> frames_of_drawing() {
              const View view = view_of_yard();
              return Shown{scene, view, cast(scene, view, {.lead = 0.04})};
          }},
+        {"edges_owned_by_nobody",
+         {"the top-left rule is missing"},
+         "strict inequalities: a centre on the square's diagonal is in neither half",
+         [] { return without_shared_edges(square_ahead(2, 1.5f), view_ahead(60, 64, 64, 0.01, 100)); }},
+        {"edges_owned_by_nobody_of_a_caster",
+         {"the top-left rule is missing"},
+         "the same for every edge of a wall of 16 squares, of a renderer that declares rays",
+         [] { return without_shared_edges(wall(), parallel_view_ahead(2, 2, 64, 64, 0.1, 10)); },
+         ray},
         {"stale_hierarchical_z",
          {"what is hidden is decided for blocks of 8 px"},
          "zproof #43: hierarchical z that is stale after a near triangle",

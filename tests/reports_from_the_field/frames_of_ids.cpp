@@ -123,6 +123,12 @@ std::vector<FieldFrame> frames_of_ids() {
          telling(
              scene, view,
              [](const Scene& s, std::uint32_t id) { return id - s.parts[part_of(s, id)].first_triangle; })},
+        {"base_of_the_next_draw_call",
+         {"ids are those of the next part"},
+         "the counter of triangles is increased before a part is drawn",
+         telling(
+             scene, view,
+             [](const Scene& s, std::uint32_t id) { return id + s.parts[part_of(s, id)].triangle_count; })},
         {"id_of_the_node_of_several_parts",
          {"the id is the node's"},
          "azure-remote-rendering #43, of nodes of two parts",
@@ -135,6 +141,33 @@ std::vector<FieldFrame> frames_of_ids() {
              return telling(shared_nodes, view,
                             [](const Scene& s, std::uint32_t id) { return part_of(s, id) / 2; })();
          }},
+        {"ids_encoded_for_display",
+         {"ids went through the curve of sRGB"},
+         "an id texture of an sRGB format",
+         telling(scene, view,
+                 [](const Scene&, std::uint32_t id) {
+                     const auto encoded = [](std::uint32_t byte) {
+                         const double c = byte / 255.0;
+                         const double code =
+                             c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
+                         return std::uint32_t(std::lround(255 * code));
+                     };
+                     return encoded(id & 0xFF) | encoded(id >> 8) << 8;
+                 })},
+        {"ids_taken_for_a_display",
+         {"ids went through a curve of gamma 1/2.2"},
+         "an id picture to which a colour transform was applied",
+         telling(many, view,
+                 [](const Scene&, std::uint32_t id) {
+                     const auto linear = [](std::uint32_t byte) {
+                         return std::uint32_t(std::lround(255 * std::pow(byte / 255.0, 2.2)));
+                     };
+                     return linear(id & 0xFF) | linear(id >> 8) << 8;
+                 })},
+        {"ids_hashed",
+         {"ids have other numbers"},
+         "a hash instead of the index",
+         telling(scene, view, [](const Scene&, std::uint32_t id) { return (id + 1) * 2'654'435'761u; })},
         {"parts_in_another_order",
          {"ids are exchanged"},
          "trimesh #93: ids of another order of triangles",

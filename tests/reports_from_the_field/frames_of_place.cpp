@@ -50,16 +50,20 @@ Aim of_quads(double at) {
     return [=](int x, int y) { return glm::dvec2((x & ~1) + at, (y & ~1) + at); };
 }
 
+struct Rectangle {
+    int x0, y0, x1, y1;
+};
+
 /// A rectangle still shows the frame before, in which the camera stood elsewhere.
-Shown torn() {
+Shown stale(const Rectangle& r) {
     const Scene scene = yard();
     const View view = view_of_yard();
     View before = view;
     before.camera.eye_world += glm::vec3(0.05f, 0.02f, 0.03f);
     Frame frame = cast(scene, view);
     const Frame old = cast(scene, before);
-    for (int y = 20; y < 50; ++y)
-        for (int x = 10; x < 70; ++x) {
+    for (int y = r.y0; y < r.y1; ++y)
+        for (int x = r.x0; x < r.x1; ++x) {
             frame.primitive.at(x, y) = old.primitive.at(x, y);
             frame.camera_depth.at(x, y) = old.camera_depth.at(x, y);
         }
@@ -190,7 +194,18 @@ std::vector<FieldFrame> of_grids() {
          {"2 x 2 pixels show what belongs to the first"},
          "zproof #43: 2x2 coarse pixels, sampled at the first",
          aiming(view_of_yard(), of_quads(0.5))},
-        {"tear", {"a rectangle shows another frame"}, "zproof #43: a rectangle of another frame", torn},
+        {"tear",
+         {"part of the picture shows another view"},
+         "zproof #43: a rectangle of another frame",
+         [] {
+             return stale({10, 20, 70, 50});
+         }},
+        {"stale_tile",
+         {"tiles of 32 px show another view"},
+         "a tile of the frame before",
+         [] {
+             return stale({32, 32, 64, 64});
+         }},
     };
 }
 
@@ -335,6 +350,22 @@ void turn(Camera& c, double angle) {
     c.back = std::cos(angle) * back - std::sin(angle) * right;
 }
 
+/// A pixel lies at the place of its ray times 1 + k1 r^2, at depth 1; or the other way round.
+Aim distorted(const View& view, double k1, bool of_the_ray) {
+    const glm::dvec2 half(view.camera.window.right, view.camera.window.top);
+    const glm::dvec2 half_px(view.width / 2.0, view.height / 2.0);
+    std::vector<glm::dvec2> aims;
+    for (int y = 0; y < view.height; ++y)
+        for (int x = 0; x < view.width; ++x) {
+            const glm::dvec2 pixel = (glm::dvec2(x, y) + 0.5 - half_px) / half_px * half;
+            glm::dvec2 ray = pixel;
+            for (int i = 0; i < 100; ++i) ray = pixel / (1 + k1 * dot(ray, ray));
+            if (!of_the_ray) ray = pixel * (1 + k1 * dot(pixel, pixel));
+            aims.push_back(ray / half * half_px + half_px);
+        }
+    return [aims, width = view.width](int x, int y) { return aims[std::size_t(y * width + x)]; };
+}
+
 /// Cameras that are off by a number.
 std::vector<FieldFrame> of_other_numbers() {
     const View view = view_of_yard();
@@ -377,6 +408,19 @@ std::vector<FieldFrame> of_other_numbers() {
          {"the window is scaled and lies elsewhere"},
          "fx, fy, cx and cy of another camera",
          aiming(view, [](int x, int y) { return glm::dvec2(1.05 * x + 2.25, 1.05 * y - 1.5); })},
+        {"lens_left_in",
+         {"the image is distorted radially"},
+         "a lens of OpenCV's model, k1 = -0.21",
+         aiming(view, distorted(view, -0.21, true))},
+        {"lens_of_a_caster",
+         {"the image is distorted radially"},
+         "the same, k1 = 0.03, of a renderer that declares rays",
+         aiming(view, distorted(view, 0.03, true)),
+         ray},
+        {"lens_undone",
+         {"the image is distorted radially"},
+         "a lens that there is not is undone, k1 = 0.12",
+         aiming(view, distorted(view, 0.12, false))},
         {"eye_moved", {"the camera stands elsewhere"}, "the other eye of a pair", moved_by({0.0625f, 0, 0})},
         {"camera_turned",
          {"the camera is turned"},

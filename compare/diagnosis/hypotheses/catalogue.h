@@ -18,12 +18,18 @@ std::vector<Hypothesis> hypotheses_of_grid(const DiagnosisInput& input);
 std::vector<Hypothesis> hypotheses_of_depth(const DiagnosisInput& input);
 /// Depth is that of another place, averaged, or of another scale that is fitted.
 std::vector<Hypothesis> hypotheses_of_depth_elsewhere(const DiagnosisInput& input);
+/// Depth is made of several samples of a pixel.
+std::vector<Hypothesis> hypotheses_of_resolved_depth(const DiagnosisInput& input);
+/// Depth was kept in bytes of one base, and read to another.
+std::vector<Hypothesis> hypotheses_of_packed_depth(const DiagnosisInput& input);
 /// Ids name other triangles.
 std::vector<Hypothesis> hypotheses_of_ids(const DiagnosisInput& input);
 /// Ids name more than one triangle each.
 std::vector<Hypothesis> hypotheses_of_shared_ids(const DiagnosisInput& input);
 /// Labels name other labels; where a candidate has no ids, its depths say where background is.
 std::vector<Hypothesis> hypotheses_of_labels(const DiagnosisInput& input);
+/// Ids, or labels, are means of those around.
+std::vector<Hypothesis> hypotheses_of_blended_ids(const DiagnosisInput& input);
 /// Triangles across planes or sides, and small ones, are left out.
 std::vector<Hypothesis> hypotheses_of_dropped_triangles(const DiagnosisInput& input);
 /// Another depth test, fill rule, culling or clipping.

@@ -4,6 +4,7 @@
 #include "compare/diagnosis/hypotheses/catalogue.h"
 #include "compare/diagnosis/hypotheses/other_world.h"
 #include "compare/diagnosis/hypotheses/plane_depth.h"
+#include "math/rational.h"
 
 namespace zproof {
 
@@ -18,6 +19,42 @@ bool holds_square(const Neighbour& n, double half_side) {
     return n.image && std::ranges::all_of(n.image->edge, [&](const Affine<double>& e) {
                return e.c - half_side * slope_sum(e) >= 0;
            });
+}
+
+/// Does an edge of the triangle pass the square?
+bool may_lie_on_edge(const Neighbourhood& around, const Neighbour& n) {
+    return n.image && std::ranges::any_of(n.image->edge, [&](const Affine<double>& e) {
+               return std::abs(e.c) <= around.eps_px * slope_sum(e);
+           });
+}
+
+/// Does an edge pass exactly where the pixel is sampled?
+bool lies_on_edge(const Neighbourhood& around, const Neighbour& n) {
+    const auto image =
+        image_of(ViewRay<Rational>(around.view, around.x, around.y), corners<Rational>(n.p_world));
+    return image && std::ranges::any_of(image->edge, [](const auto& e) { return sign(e.c) == 0; });
+}
+
+/// Holes only: a pixel that two neighbours both claim shows one of them, admissibly. First where no triangle
+/// moves: a centre on an edge is a hole for certain. Then where a triangle may move onto the centre.
+std::vector<Hypothesis> without_fill_rule(const DiagnosisInput& input) {
+    Hypothesis exact =
+        as_declared(input, {"the top-left rule is missing",
+                            "A centre exactly on an edge belongs to no triangle: holes along shared edges.",
+                            "Look at the edge test: one of two triangles must own a centre on their edge."});
+    Hypothesis moved = exact;
+    exact.amend = [](Neighbourhood& around, PrimitiveId) {
+        std::erase_if(around.neighbours, [&](const Neighbour& n) {
+            return may_lie_on_edge(around, n) && lies_on_edge(around, n);
+        });
+    };
+    moved.amend = [](Neighbourhood& around, PrimitiveId answer) {
+        std::erase_if(around.neighbours, [&](const Neighbour& n) {
+            return PrimitiveId(n.triangle) != answer && may_lie_on_edge(around, n);
+        });
+    };
+    moved.only_permits = true;  // what lies on an edge is known within eps alone
+    return {exact, moved};
 }
 
 Hypothesis under(const DiagnosisInput& input) {
@@ -141,7 +178,8 @@ std::vector<Hypothesis> short_boxes(const DiagnosisInput& input) {
 }  // namespace
 
 std::vector<Hypothesis> hypotheses_of_coverage(const DiagnosisInput& input) {
-    std::vector<Hypothesis> all{over(input), under(input)};
+    std::vector<Hypothesis> all = without_fill_rule(input);
+    for (Hypothesis& h : std::vector{over(input), under(input)}) all.push_back(std::move(h));
     for (Hypothesis& h : short_boxes(input)) all.push_back(std::move(h));
     return all;
 }

@@ -131,29 +131,6 @@ Hypothesis dropped(const DiagnosisInput& input, const std::string& which, Facing
                      });
 }
 
-/// Does an edge of the triangle pass the square?
-bool may_lie_on_edge(const Neighbourhood& around, const Neighbour& n) {
-    const auto image = image_of(ViewRay<double>(around.view, around.x, around.y), corners<double>(n.p_world));
-    return image && std::ranges::any_of(image->edge, [&](const Affine<double>& e) {
-               return std::abs(e.c) <= around.eps_px * (std::abs(e.a) + std::abs(e.b));
-           });
-}
-
-/// Holes only: a pixel that two neighbours both claim shows one of them, admissibly.
-Hypothesis without_fill_rule(const DiagnosisInput& input) {
-    Hypothesis h = with_rule(input,
-                             {"the top-left rule is missing",
-                              "A centre exactly on an edge belongs to no triangle: holes along shared edges.",
-                              "Look at the edge test: one of two triangles must own a centre on their edge."},
-                             [](Neighbourhood& around, PrimitiveId answer) {
-                                 std::erase_if(around.neighbours, [&](const Neighbour& n) {
-                                     return PrimitiveId(n.triangle) != answer && may_lie_on_edge(around, n);
-                                 });
-                             });
-    h.only_permits = true;  // what lies on an edge is known within eps alone
-    return h;
-}
-
 Hypothesis clipped_at(const DiagnosisInput& input, const Cause& cause, double near_depth, double far_depth) {
     Hypothesis h = as_declared(input, cause);
     h.view.camera.near_depth = near_depth;
@@ -237,7 +214,6 @@ Hypothesis lost_triangles(const DiagnosisInput& input) {
 
 std::vector<Hypothesis> hypotheses_of_drawing(const DiagnosisInput& input) {
     std::vector<Hypothesis> all = of_clipping(input);
-    all.push_back(without_fill_rule(input));
     all.push_back(dropped(input, "back", Facing::back));
     all.push_back(dropped(input, "front", Facing::front));
     for (Hypothesis& h : of_the_depth_test(input)) all.push_back(std::move(h));

@@ -8,14 +8,14 @@
 #include "compare/bounds/triangle_depth.h"
 #include "compare/bounds/triangle_extent.h"
 #include "compare/diagnosis/hypotheses/catalogue.h"
-#include "compare/diagnosis/hypotheses/other_world.h"
+#include "compare/diagnosis/hypotheses/radial_distortion.h"
 #include "frame/number_text.h"
 
 namespace zproof {
 
 namespace {
 
-constexpr std::size_t most_numbers = 6, most_samples = 2'048;
+constexpr std::size_t most_numbers = 6, most_samples = 2'048, most_asked_if_wrong = 1 << 17;
 constexpr int most_steps = 24;
 using Numbers = std::array<double, most_numbers>;
 
@@ -23,6 +23,7 @@ using Numbers = std::array<double, most_numbers>;
 struct FittedCamera {
     View view;
     glm::dvec3 eye_world;
+    RadialDistortion lens{};  ///< of a perspective
 
     /// Where a depth lies that is told at a pixel.
     glm::dvec3 point_at(int x, int y, double depth) const {
@@ -32,7 +33,7 @@ struct FittedCamera {
         const double v = c.window.top - (c.window.top - c.window.bottom) * at.y / view.height;
         const bool is_perspective = c.projection == Projection::perspective;
         const glm::dvec2 aside =
-            is_perspective ? depth * glm::dvec2(u, v) : glm::dvec2(u, v) + depth * c.shear;
+            is_perspective ? depth * lens.ray_of({u, v}) : glm::dvec2(u, v) + depth * c.shear;
         return eye_world + aside.x * c.right + aside.y * c.up - depth * c.back;
     }
 };
@@ -106,6 +107,31 @@ Cause shifted_cause(const Numbers& n) {
         principal_point};
 }
 
+/// r is measured in units of depth, as a camera's calibration does, or in half sides of the picture.
+enum class RadiusUnit { depth, half_sides };
+
+template <Distorted distorted, RadiusUnit unit>
+constexpr CameraModel lens_model{
+    1,
+    [](const View& v, const Numbers& n, double) {
+        FittedCamera camera = in_place(v);
+        const Window& w = v.camera.window;
+        camera.lens = {n[0], distorted};
+        if (unit == RadiusUnit::half_sides)
+            camera.lens.unit = {(w.right - w.left) / 2, (w.top - w.bottom) / 2};
+        return camera;
+    },
+    [](const View&, const Numbers& n, double) {
+        const std::string k1 = "times 1 + k1 r^2: k1 is " + with_digits(n[0], 5);
+        return Cause{"the image is distorted radially",
+                     (distorted == Distorted::pixel ? "A ray meets the image at its pixel's place "
+                                                    : "A pixel lies at the place of its ray ") +
+                         k1 +
+                         (unit == RadiusUnit::depth ? ", at depth 1." : ", in half sides of the picture."),
+                     "Look at the camera model: a lens's distortion is left in, or undone where there is "
+                     "none."};
+    }};
+
 /// Of the window alone; what takes fewer numbers first.
 constexpr std::array window_models{
     CameraModel{1, [](const View& v, const Numbers& n, double) { return in_place(scaled(v, n[0], n[0])); },
@@ -120,6 +146,10 @@ constexpr std::array window_models{
                 [](const View&, const Numbers& n, double) {
                     return scaled_cause(" in y", times(n[0]) + " times as high");
                 }},
+    lens_model<Distorted::ray, RadiusUnit::depth>,
+    lens_model<Distorted::pixel, RadiusUnit::depth>,
+    lens_model<Distorted::ray, RadiusUnit::half_sides>,
+    lens_model<Distorted::pixel, RadiusUnit::half_sides>,
     CameraModel{2,
                 [](const View& v, const Numbers& n, double) {
                     return in_place(shifted_view(v, {-n[0], -n[1]}));
@@ -237,12 +267,20 @@ Numbers solved(std::array<Numbers, most_numbers> a, Numbers b, std::size_t count
 /// to step (graduated non-convexity; Blake and Zisserman 1987).
 class CameraFit {
   public:
-    explicit CameraFit(const DiagnosisInput& input) : input_(input) {
+    enum class Samples { of_all, of_what_is_wrong };
+
+    CameraFit(const DiagnosisInput& input, Samples samples)
+        : input_(input), bounds_(ViewBounds::of_shown(input.view, input.candidate.precision)) {
         const Frame& frame = input.candidate.frame;
         const std::size_t count = frame.primitive.pixels().size(), width = std::size_t(frame.size().width);
+        std::vector<PixelCoord> places;
+        for (std::size_t i = 0; i < count; i += count / most_asked_if_wrong + 1) {
+            const PixelCoord place{int(i % width), int(i / width)};
+            if (samples == Samples::of_all || is_wrong(place.x, place.y)) places.push_back(place);
+        }
         std::vector<double> depths;
-        for (std::size_t i = 0; i < count; i += count / most_samples + 1) {
-            const int x = int(i % width), y = int(i / width);
+        for (std::size_t i = 0; i < places.size(); i += places.size() / most_samples + 1) {
+            const auto [x, y] = places[i];
             const double depth = double(frame.camera_depth.at(x, y));
             const PrimitiveId triangle = frame.primitive.at(x, y);
             if (std::size_t(triangle) >= input.scene.triangles.size() || !std::isfinite(depth)) continue;
@@ -281,10 +319,20 @@ class CameraFit {
     double scene_depth() const { return scene_depth_; }
 
   private:
+    /// As far as the reference tells: an outline may be right as well.
+    bool is_wrong(int x, int y) const {
+        const Frame &ours = input_.candidate.frame, &theirs = input_.reference.frame;
+        const PrimitiveId id = ours.primitive.at(x, y);
+        if (id != theirs.primitive.at(x, y)) return true;
+        if (std::size_t(id) >= input_.scene.triangles.size()) return false;
+        const double depth = double(ours.camera_depth.at(x, y)), right = double(theirs.camera_depth.at(x, y));
+        return std::abs(depth - right) > bound_of(right, id, x, y) * std::abs(right);
+    }
+
     double bound_of(double depth, PrimitiveId triangle, int x, int y) const {
-        const ViewBounds bounds = ViewBounds::of_shown(input_.view, input_.candidate.precision);
         const CornersWorld p_world = corners_of(input_.scene, std::uint32_t(triangle));
-        const DepthBound bound = TriangleDepth(TriangleInView(input_.view, bounds, p_world), bounds).at(x, y);
+        const DepthBound bound =
+            TriangleDepth(TriangleInView(input_.view, bounds_, p_world), bounds_).at(x, y);
         const double share = (bound.high - bound.low) / std::abs(depth);
         return std::isfinite(share) ? std::clamp(share, 1e-7, 1e-2) : 1e-2;
     }
@@ -359,14 +407,22 @@ class CameraFit {
     }
 
     const DiagnosisInput& input_;
+    ViewBounds bounds_;
     std::vector<FitSample> samples_;
     double scene_depth_ = 1;
 };
 
+/// A camera that was fitted, by the numbers of one of the models.
+struct ProposedCamera {
+    FittedCamera camera;
+    Cause cause;
+    double learned_bits;
+};
+
 /// The first of the models that costs little more than the best; nothing where none costs much less than the
 /// declared camera. What is proposed here is decided by the judge.
-std::vector<Hypothesis> best_of(const DiagnosisInput& input, const CameraFit& fit,
-                                std::span<const CameraModel> models) {
+std::optional<ProposedCamera> best_of(const DiagnosisInput& input, const CameraFit& fit,
+                                      std::span<const CameraModel> models) {
     std::vector<CameraFit::Fit> fits;
     for (const CameraModel& model : models) fits.push_back(fit.of(model));
     const double least = std::ranges::min(fits, {}, &CameraFit::Fit::cost).cost, declared = fit.cost();
@@ -376,19 +432,57 @@ std::vector<Hypothesis> best_of(const DiagnosisInput& input, const CameraFit& fi
     const CameraModel& model = models[std::size_t(best - fits.begin())];
     FittedCamera camera = model.camera(input.view, best->numbers, fit.scene_depth());
     camera.view.camera.eye_world = glm::vec3(camera.eye_world);
-    Hypothesis h = shown_instead(input, model.cause(input.view, best->numbers, fit.scene_depth()),
-                                 declared_scene(input), camera.view);
-    h.learned_bits = double(model.count) * bits_of_a_number;
+    return ProposedCamera{camera, model.cause(input.view, best->numbers, fit.scene_depth()),
+                          double(model.count) * bits_of_a_number};
+}
+
+/// The whole frame is that camera's.
+std::vector<Hypothesis> seen_by(const DiagnosisInput& input, const std::optional<ProposedCamera>& proposed) {
+    if (!proposed) return {};
+    const auto& [camera, cause, learned_bits] = *proposed;
+    Hypothesis h = camera.lens.k1 != 0 ? shown_through(input, cause, camera.lens)
+                                       : shown_instead(input, cause, declared_scene(input), camera.view);
+    h.learned_bits = learned_bits;
     h.tells_numbers = true;
     return {h};
+}
+
+/// Tiles that hold a defect are that camera's, or some pixels: where most of the frame is the declared one's.
+std::vector<Hypothesis> stale_parts(const DiagnosisInput& input,
+                                    const std::optional<ProposedCamera>& proposed) {
+    if (!proposed) return {};
+    const auto world = std::make_shared<OtherWorld>(input, declared_scene(input), proposed->camera.view);
+    std::vector<Hypothesis> all;
+    for (const int side : {256, 128, 64, 32, 16, 8, 1}) {
+        if (side >= std::max(input.view.width, input.view.height)) continue;
+        Hypothesis h = decided_by(
+            input,
+            {side == 1 ? "part of the picture shows another view"
+                       : "tiles of " + std::to_string(side) + " px show another view",
+             "There " + proposed->cause.name + ": " + proposed->cause.description,
+             "Look at what is left of the frame before: tiles that are skipped, not cleared, or shown too "
+             "early."},
+            world, [world](const Claim& claim) { return world->admits(claim); },
+            [world](const Claim& claim) { return world->depth_of(claim); });
+        h.cell = {side, side};
+        h.learned_bits = proposed->learned_bits;
+        h.tells_numbers = true;
+        all.push_back(std::move(h));
+    }
+    return all;
 }
 
 }  // namespace
 
 std::vector<Hypothesis> hypotheses_of_fitted_cameras(const DiagnosisInput& input) {
-    const CameraFit fit(input);
-    std::vector<Hypothesis> all = best_of(input, fit, window_models);
-    for (const Hypothesis& h : best_of(input, fit, pose_models)) all.push_back(h);
+    const CameraFit fit(input, CameraFit::Samples::of_all);
+    std::vector<Hypothesis> all = seen_by(input, best_of(input, fit, window_models));
+    const std::optional<ProposedCamera> posed_elsewhere = best_of(input, fit, pose_models);
+    const std::vector<Hypothesis> more =
+        posed_elsewhere
+            ? seen_by(input, posed_elsewhere)
+            : stale_parts(input, best_of(input, {input, CameraFit::Samples::of_what_is_wrong}, pose_models));
+    all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 

@@ -21,11 +21,14 @@ Hypothesis with_ids(const DiagnosisInput& input, const Cause& cause, const Renam
     return h;
 }
 
-/// The triangle that stands `step` parts further, at the same place in its part.
+/// The number of the triangle at the same place `step` parts further. Behind the last part it is no
+/// triangle's.
 std::uint32_t in_part(const Scene& scene, std::uint32_t triangle, int step) {
-    const std::size_t part = part_of(scene, triangle);
-    if (part + std::size_t(step) >= scene.parts.size()) return nobody;
-    return triangle - scene.parts[part].first_triangle + scene.parts[part + std::size_t(step)].first_triangle;
+    const std::size_t part = part_of(scene, triangle), other = part + std::size_t(step);
+    if (other > scene.parts.size()) return nobody;
+    const std::size_t base =
+        other < scene.parts.size() ? scene.parts[other].first_triangle : scene.triangles.size();
+    return triangle - scene.parts[part].first_triangle + std::uint32_t(base);
 }
 
 std::vector<Hypothesis> of_parts(const DiagnosisInput& input) {
@@ -142,13 +145,19 @@ Hypothesis exchanged(const DiagnosisInput& input) {
         const auto other = back.find(id);  // the triangle of that index has another's id
         return other != back.end() && there.at(other->second) == id ? nobody : id;
     };
-    Hypothesis h =
-        with_ids(input,
-                 {"ids are exchanged",
-                  "An id stands for one other triangle, and that for no other id, wherever they occur.",
-                  "Look at whatever sorts or reorders triangles (BVH build, vertex cache) and keep the "
-                  "original index."},
-                 meant);
+    const bool are_triangles = std::ranges::all_of(
+        there, [&](const auto& pair) { return pair.first < input.scene.triangles.size(); });
+    const char* one_to_one =
+        "An id stands for one other triangle, and that for no other id, wherever they occur.";
+    Hypothesis h = with_ids(
+        input,
+        are_triangles
+            ? Cause{"ids are exchanged", one_to_one,
+                    "Look at whatever sorts or reorders triangles (BVH build, vertex cache) and keep the "
+                    "original index."}
+            : Cause{"ids have other numbers", one_to_one,
+                    "Look at what is written for an id: a hash, a handle, an address, or a colour."},
+        meant);
     const auto changed =
         std::ranges::count_if(there, [&](const auto& pair) { return meant(pair.first) != pair.first; });
     h.learned_bits = 2 * double(changed) * bits_of_an_id(input);
@@ -183,7 +192,8 @@ std::vector<Hypothesis> hypotheses_of_ids(const DiagnosisInput& input) {
         apart_from_depths(input, 0, -1, "above")};
     for (const auto& more : {of_parts(input), of_lost_bits(input)})
         all.insert(all.end(), more.begin(), more.end());
-    all.push_back(with_ids_reported_as(input, through_srgb("ids"), in_srgb_bytes));
+    for (const ByteCurve& curve : byte_curves())
+        all.push_back(with_ids_reported_as(input, curve.cause("ids"), curve));
     all.push_back(of_vertices(input));
     all.push_back(exchanged(input));
     return all;

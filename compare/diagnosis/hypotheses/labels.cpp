@@ -99,18 +99,20 @@ Hypothesis told_as(const DiagnosisInput& input, Cause cause, const Renamed& told
 
 std::vector<Hypothesis> of_numbers(const DiagnosisInput& input) {
     const char* counter = "Look at where labels are numbered: they count from 0.";
-    return {told_as(input, {"labels count from 1", "A label is one too large.", counter},
-                    [](std::uint32_t label) { return label + 1; }),
-            with_labels(input,
-                        {"labels count from 1, and 0 is background",
-                         "A label is one too large, and 0 where nothing is seen.", counter},
-                        [](std::uint32_t label) -> std::optional<std::uint32_t> {
-                            if (label == nobody) return std::nullopt;
-                            return label - 1;
-                        }),
-            told_as(input, {"labels are too small by one", "A label is one too small, 0 for 0.", counter},
-                    [](std::uint32_t label) { return label == 0 ? 0 : label - 1; }),
-            told_as(input, through_srgb("labels"), in_srgb_bytes)};
+    std::vector<Hypothesis> all{
+        told_as(input, {"labels count from 1", "A label is one too large.", counter},
+                [](std::uint32_t label) { return label + 1; }),
+        with_labels(input,
+                    {"labels count from 1, and 0 is background",
+                     "A label is one too large, and 0 where nothing is seen.", counter},
+                    [](std::uint32_t label) -> std::optional<std::uint32_t> {
+                        if (label == nobody) return std::nullopt;
+                        return label - 1;
+                    }),
+        told_as(input, {"labels are too small by one", "A label is one too small, 0 for 0.", counter},
+                [](std::uint32_t label) { return label == 0 ? 0 : label - 1; })};
+    for (const ByteCurve& curve : byte_curves()) all.push_back(told_as(input, curve.cause("labels"), curve));
+    return all;
 }
 
 /// What a candidate without ids says where nothing is seen: the depth that it has there most often.

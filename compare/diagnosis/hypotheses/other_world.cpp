@@ -155,24 +155,31 @@ std::shared_ptr<const Scene> declared_scene(const DiagnosisInput& input) {
     return {std::shared_ptr<const Scene>(), &input.scene};
 }
 
-Hypothesis decided_by(const DiagnosisInput& input, Cause cause, const std::shared_ptr<OtherWorld>& world,
-                      std::function<bool(const Claim&)> admits,
-                      std::function<ReportedDepth(const Claim&)> depth_of) {
+Hypothesis decided(const DiagnosisInput& input, Cause cause,
+                   std::function<std::optional<ReportedDepth>(const Claim&)> admitted) {
     Hypothesis h = as_declared(input, std::move(cause));
-    const auto admitted = [world, admits = std::move(admits)](const Claim& claim) -> std::optional<Claim> {
-        for (const Claim& reading : world->readings_of(claim))
-            if (world->has(reading.answer.primitive) && admits(reading)) return reading;
-        return std::nullopt;
-    };
     h.restate = [admitted](const Claim& claim) -> std::optional<Claim> {
         if (!admitted(claim)) return std::nullopt;
         return Claim{claim.x, claim.y, {PrimitiveId::none, background_depth}};
     };
     h.amend = [](Neighbourhood& around, PrimitiveId) { around.neighbours.clear(); };
-    h.decided_depth = [admitted, depth_of = std::move(depth_of)](const Claim& claim) {
-        return depth_of(*admitted(claim));
-    };
+    h.decided_depth = [admitted = std::move(admitted)](const Claim& claim) { return *admitted(claim); };
     return h;
+}
+
+Hypothesis decided_by(const DiagnosisInput& input, Cause cause, const std::shared_ptr<OtherWorld>& world,
+                      std::function<bool(const Claim&)> admits,
+                      std::function<ReportedDepth(const Claim&)> depth_of) {
+    return decided(input, std::move(cause),
+                   [world, admits = std::move(admits),
+                    depth_of = std::move(depth_of)](const Claim& claim) -> std::optional<ReportedDepth> {
+                       for (const Claim& reading : world->readings_of(claim)) {
+                           if (!world->has(reading.answer.primitive) || !admits(reading)) continue;
+                           const bool is_background = reading.answer.primitive == PrimitiveId::none;
+                           return is_background ? ReportedDepth{} : depth_of(reading);
+                       }
+                       return std::nullopt;
+                   });
 }
 
 Hypothesis shown_instead(const DiagnosisInput& input, Cause cause, std::shared_ptr<const Scene> scene,

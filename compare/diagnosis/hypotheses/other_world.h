@@ -53,9 +53,14 @@ class OtherWorld {
 /// The declared scene, which outlives every diagnosis.
 std::shared_ptr<const Scene> declared_scene(const DiagnosisInput& input);
 
-/// The hypothesis that what `admits` says of a claim, as it may be read in that world, is right. A claim that
-/// is admitted goes on as background before nothing, to which the judge has no objection; `depth_of` says
-/// which depths it may have.
+/// The hypothesis that each claim is right for which `admitted` has the depths that it may have; of
+/// background, none in particular. It goes on as background before nothing, to which the judge has no
+/// objection.
+Hypothesis decided(const DiagnosisInput& input, Cause cause,
+                   std::function<std::optional<ReportedDepth>(const Claim&)> admitted);
+
+/// The hypothesis that what `admits` says of a claim, as it may be read in that world, is right;
+/// `depth_of` says which depths it may have.
 Hypothesis decided_by(const DiagnosisInput& input, Cause cause, const std::shared_ptr<OtherWorld>& world,
                       std::function<bool(const Claim&)> admits,
                       std::function<ReportedDepth(const Claim&)> depth_of);

@@ -258,6 +258,14 @@ Hypothesis cut_to_steps(const DiagnosisInput& input, double step) {
          "Look at the conversion to integers: add one half before what follows the point is cut."});
 }
 
+Hypothesis raised_to_steps(const DiagnosisInput& input, double step) {
+    return told_in_steps(
+        input, step, 0, step,
+        {"depth is raised to whole steps of " + with_digits(step, 4),
+         "The whole number of steps above the depth was stored, not the nearest.",
+         "Look at the conversion to integers: it rounds up, where the nearest is promised."});
+}
+
 /// Depth in whole steps of scene units. The largest that holds at most of the depths is taken.
 std::vector<Hypothesis> stored_in_steps(const DiagnosisInput& input) {
     const auto depths = input.candidate.frame.camera_depth.pixels();
@@ -274,7 +282,7 @@ std::vector<Hypothesis> stored_in_steps(const DiagnosisInput& input) {
                                  depths, {}, [](float d) { return std::isfinite(d) ? d : 0.0f; })) >
             step / 4)
             continue;  // every float is near a step
-        return {rounded_to_steps(input, step), cut_to_steps(input, step)};
+        return {rounded_to_steps(input, step), cut_to_steps(input, step), raised_to_steps(input, step)};
     }
     return {};
 }

@@ -1,6 +1,7 @@
 #include "compare/diagnosis/hypotheses/renamed_ids.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "math/srgb.h"
@@ -43,18 +44,26 @@ Ids most_often_with(std::span<const PrimitiveId> ids, std::span<const PrimitiveI
     return most;
 }
 
-Cause through_srgb(const std::string& what) {
-    return {what + " went through the curve of sRGB", "Each byte was taken for a linear colour and encoded.",
+Cause ByteCurve::cause(const std::string& what) const {
+    return {what + " went through " + name, "Each byte was taken for a colour and changed by the curve.",
             "Look at the format of the texture and of the file: ids must be stored as data, not as colours."};
 }
 
-std::uint32_t in_srgb_bytes(std::uint32_t id) {
-    std::uint32_t encoded = 0;
+std::uint32_t ByteCurve::operator()(std::uint32_t id) const {
+    std::uint32_t changed = 0;
     for (int byte = 0; byte < 4; ++byte) {
-        const double linear = double(id >> 8 * byte & 0xFF) / 255;
-        encoded |= std::uint32_t(std::round(255 * encoded_srgb(linear))) << 8 * byte;
+        const double value = double(id >> 8 * byte & 0xFF) / 255;
+        changed |= std::uint32_t(std::round(255 * at(value))) << 8 * byte;
     }
-    return encoded;
+    return changed;
+}
+
+std::span<const ByteCurve> byte_curves() {
+    static constexpr std::array curves{
+        ByteCurve{"the curve of sRGB", encoded_srgb}, ByteCurve{"the curve of sRGB, backwards", decoded_srgb},
+        ByteCurve{"a curve of gamma 2.2", [](double value) { return std::pow(value, 1 / 2.2); }},
+        ByteCurve{"a curve of gamma 1/2.2", [](double value) { return std::pow(value, 2.2); }}};
+    return curves;
 }
 
 std::size_t part_of(const Scene& scene, std::uint32_t triangle) {

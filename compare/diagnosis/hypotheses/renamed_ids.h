@@ -24,10 +24,18 @@ using Ids = std::unordered_map<std::uint32_t, std::uint32_t>;
 /// The other id that most pixels have together with each id; the least of equals.
 Ids most_often_with(std::span<const PrimitiveId> ids, std::span<const PrimitiveId> others);
 
-/// The cause that `what` (ids, labels) were written as colours.
-Cause through_srgb(const std::string& what);
-/// Each of its four bytes through the curve of sRGB (IEC 61966-2-1), to whole numbers.
-std::uint32_t in_srgb_bytes(std::uint32_t id);
+/// A curve that pictures put their values through, where what is stored is no colour.
+struct ByteCurve {
+    const char* name;            ///< after "went through"
+    double (*at)(double value);  ///< 0 to 1, of 0 to 1
+
+    /// The cause that `what` (ids, labels) were written as colours.
+    Cause cause(const std::string& what) const;
+    /// Each of the four bytes through the curve, to whole numbers.
+    std::uint32_t operator()(std::uint32_t id) const;
+};
+/// The curves of sRGB (IEC 61966-2-1) and of a power, there and back.
+std::span<const ByteCurve> byte_curves();
 
 /// The part that holds a triangle, as an index; parts stand in triangle order.
 std::size_t part_of(const Scene& scene, std::uint32_t triangle);
