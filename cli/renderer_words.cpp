@@ -94,6 +94,15 @@ void refuse_convention_of_built_in(const RendererChoice& choice) {
                      name_of(choice) + "' needs none"};
 }
 
+/// Only Vulkan has devices to choose from.
+void refuse_device_of_others(const RendererChoice& candidate, const RendererWords& words) {
+    if (words.device.empty() || is_vulkan(candidate) ||
+        std::ranges::any_of(oracle_names(words), names_vulkan))
+        return;
+    throw UsageError{"--device: is of the renderer vulkan, or of the oracle; found '" + name_of(candidate) +
+                     "'"};
+}
+
 /// --convention and --channels, or the same of the reference.
 void add_convention(CLI::App& app, const std::string& prefix, ConventionWords& words) {
     app.add_option(prefix + "convention", words.convention,
@@ -195,6 +204,7 @@ RendererChoice candidate_of(const RendererWords& words) {
     choice.ids = ids_from_word(words.ids);
     choice.convention = words.convention;
     refuse_convention_of_built_in(choice);
+    refuse_device_of_others(choice, words);
     choose_device(choice, words);
     choice.time_limit = std::chrono::seconds{words.time_limit_s};
     choice.kept_input = kept_input(words, choice);

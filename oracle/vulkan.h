@@ -1,10 +1,10 @@
 /// Vulkan as a renderer and a reference: a device of this machine without a surface, Mesa's lavapipe where
 /// there is no graphics card.
 ///
-/// Triangle i of the scene is primitive i of one draw call; the fixed-function rasterizer, clipper and depth
-/// test do the rest, as with OpenGL (oracle/opengl.h). A view that is sampled beside its pixels' centres is
-/// drawn into a multisampled target, of which that sample is read. The loader is opened when it is needed:
-/// zproof runs where there is none.
+/// All triangles are one draw call, the last one first; the fixed-function rasterizer, clipper and depth test
+/// do the rest, as with OpenGL (oracle/opengl.h). Of equal depths the triangle drawn last stays: the one with
+/// the smaller id. A view that is sampled beside its pixels' centres is drawn into a multisampled target, of
+/// which that sample is read. The loader is opened when it is needed: zproof runs where there is none.
 #pragma once
 
 #include <compare>

@@ -30,23 +30,29 @@ Buffer filled(const Device& device, const Values& values, vk::BufferUsageFlagBit
     return buffer;
 }
 
-std::vector<glm::vec3> corners_one_by_one(const Scene& scene) {
+/// The last triangle first: the depth test keeps the one that is drawn last of equal depths, so that what
+/// lies as far as nothing does is still drawn.
+std::vector<glm::uvec3> last_first(const Scene& scene) {
+    return {scene.triangles.rbegin(), scene.triangles.rend()};
+}
+
+std::vector<glm::vec3> corners_last_first(const Scene& scene) {
     std::vector<glm::vec3> corners;
     corners.reserve(3 * scene.triangles.size());
-    for (const auto& triangle : scene.triangles)
+    for (const glm::uvec3& triangle : last_first(scene))
         for (int i = 0; i < 3; ++i) corners.push_back(scene.vertices.position_world[triangle[i]]);
     return corners;
 }
 
 Buffer new_positions(const Device& device, const Scene& scene, bool own_vertices) {
     constexpr auto usage = vk::BufferUsageFlagBits::eVertexBuffer;
-    return own_vertices ? filled(device, corners_one_by_one(scene), usage)
+    return own_vertices ? filled(device, corners_last_first(scene), usage)
                         : filled(device, scene.vertices.position_world, usage);
 }
 
 Buffer new_indices(const Device& device, const Scene& scene, bool own_vertices) {
     constexpr auto usage = vk::BufferUsageFlagBits::eIndexBuffer;
-    if (!own_vertices) return filled(device, scene.triangles, usage);
+    if (!own_vertices) return filled(device, last_first(scene), usage);
     std::vector<std::uint32_t> counted(3 * scene.triangles.size());
     std::iota(counted.begin(), counted.end(), 0);
     return filled(device, counted, usage);
@@ -172,7 +178,8 @@ Pixels draw(const Device& device, const IdPipeline& pipeline, const SampleReader
         record_end(commands);
     });
     Pixels pixels{Plane<std::uint32_t>::unwritten(size), Plane<double>::unwritten(size)};
-    std::ranges::copy(ids.as<std::uint32_t>(), pixels.id.pixels().begin());
+    std::ranges::transform(ids.as<std::uint32_t>(), pixels.id.pixels().begin(),
+                           [&](std::uint32_t id) { return id == no_id ? no_id : mesh.triangle(id); });
     const auto z_at = copied ? z_of_texel : z_of_sample;
     for (std::size_t i = 0; i < size.pixel_count(); ++i)
         pixels.z.pixels()[i] = z_at(depths, pipeline.depth_format(), i);

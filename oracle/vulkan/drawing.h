@@ -12,14 +12,16 @@
 
 namespace zproof::oracle::vulkan {
 
-/// A scene's triangles in scene order.
+/// A scene's triangles, the last one first.
 class Mesh {
   public:
     /// With vertices of their own for each triangle where their numbers tell whose they are. Throws
     /// OracleError where the device cannot count that many.
     Mesh(const Device& device, const Scene& scene, bool ids_are_of_vertices);
-    /// All triangles by one call, so that the device counts primitives as the scene does.
+    /// All triangles by one call.
     void draw(const vk::raii::CommandBuffer& commands) const;
+    /// The scene's triangle that is drawn at this place, or what a device that errs makes of it.
+    std::uint32_t triangle(std::uint32_t drawn) const { return index_count_ / 3 - 1 - drawn; }
 
   private:
     std::uint32_t index_count_;

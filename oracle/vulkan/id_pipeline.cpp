@@ -67,10 +67,10 @@ vk::PipelineShaderStageCreateInfo stage(vk::ShaderStageFlagBits which, const vk:
 }
 
 vk::PipelineDepthStencilStateCreateInfo depth_test(DepthBuffer buffer) {
-    return {
-        .depthTestEnable = true,
-        .depthWriteEnable = true,
-        .depthCompareOp = buffer == DepthBuffer::reversed_z ? vk::CompareOp::eGreater : vk::CompareOp::eLess};
+    return {.depthTestEnable = true,
+            .depthWriteEnable = true,
+            .depthCompareOp = buffer == DepthBuffer::reversed_z ? vk::CompareOp::eGreaterOrEqual
+                                                                : vk::CompareOp::eLessOrEqual};
 }
 
 /// All that does not change from one pipeline to the next is said here.

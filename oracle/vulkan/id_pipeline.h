@@ -15,7 +15,7 @@ struct ClipRowsPushed {
     glm::vec4 x, y, z, w, near_distance, far_distance, eye_world;
 };
 
-/// Both faces, nearest stays, of equal depths the first; nothing is blended.
+/// Both faces, nearest stays, of equal depths the one that is drawn last; nothing is blended.
 class IdPipeline {
   public:
     IdPipeline(const Device& device, const VulkanSettings& settings, vk::SampleCountFlagBits samples);
