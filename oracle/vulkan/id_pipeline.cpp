@@ -3,10 +3,10 @@
 #include <array>
 #include <span>
 
-#include "shaders/fragment_shader.h"
-#include "shaders/fragment_shader_with_vertex_id.h"
-#include "shaders/vertex_shader.h"
-#include "shaders/vertex_shader_with_id.h"
+#include "oracle/vulkan/shaders/fragment_shader.h"
+#include "oracle/vulkan/shaders/fragment_shader_with_vertex_id.h"
+#include "oracle/vulkan/shaders/vertex_shader.h"
+#include "oracle/vulkan/shaders/vertex_shader_with_id.h"
 
 namespace zproof::oracle::vulkan {
 namespace {

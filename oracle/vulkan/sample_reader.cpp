@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "oracle/vulkan/id_pipeline.h"
-#include "shaders/sample_shader.h"
+#include "oracle/vulkan/shaders/sample_shader.h"
 
 namespace zproof::oracle::vulkan {
 namespace {

@@ -2,26 +2,24 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <string>
+
+#include "tests/support/test_folder.h"
 
 namespace zproof::oracle {
 
 /// Turns the layer on for all instances that this process makes: errors, warnings, advice on performance, and
 /// hazards between commands. It prints what it finds.
 inline void turn_validation_on() {
-    namespace fs = std::filesystem;
-    const fs::path folder = fs::path(testing::TempDir()) / ("zproof-vulkan-" + std::to_string(getpid()));
-    fs::create_directories(folder);
-    std::ofstream(folder / "vk_layer_settings.txt")
-        << "khronos_validation.debug_action = VK_DBG_LAYER_ACTION_LOG_MSG\n"
-        << "khronos_validation.report_flags = error,warn,perf\n"
-        << "khronos_validation.enables = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT\n";
-    setenv("VK_LAYER_SETTINGS_PATH", folder.c_str(), 1);
+    static const TestFolder folder;
+    folder.write(
+        "vk_layer_settings.txt",
+        "khronos_validation.debug_action = VK_DBG_LAYER_ACTION_LOG_MSG\n"
+        "khronos_validation.report_flags = error,warn,perf\n"
+        "khronos_validation.enables = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT\n");
+    setenv("VK_LAYER_SETTINGS_PATH", folder.path().c_str(), 1);
     setenv("VK_INSTANCE_LAYERS", "VK_LAYER_KHRONOS_validation", 1);
 }
 
