@@ -6,6 +6,7 @@
 #include "cli/command_line/tree.h"
 #include "cli/commands.h"
 #include "cli/renderers/registry.h"
+#include "cli/renderers/vulkan_words.h"
 #include "frame/input_file.h"
 #include "frame/joined.h"
 #include "math/processor.h"
@@ -52,6 +53,13 @@ void print_renderers() {
         const std::string version = absent.empty() ? facts_of(choice).version : "";
         print_row(name, !absent.empty() ? "absent: " + absent : version.empty() ? "built in" : version);
     }
+}
+
+void print_vulkan_devices() {
+    if (!absence_of(renderer_from_word(std::string(vulkan_name))).empty()) return;
+    std::cout << "devices of vulkan\n";
+    for (const oracle::VulkanDevice& device : oracle::vulkan_devices())
+        std::cout << "  " << one_line(device.version) << "\n      " << promise_in_words(device) << "\n";
 }
 
 void print_setting(const Setting& setting, const SettingValues& effective, const CLI::Option* option) {
@@ -109,6 +117,7 @@ void print_file(const SettingsChoice& choice) {
 void print_state(const SettingsChoice& choice, const SettingValues& effective, const CLI::App& run) {
     print_machine();
     print_renderers();
+    print_vulkan_devices();
     print_programs();
     print_file(choice);
     for (const Setting& setting : known_settings())

@@ -7,6 +7,7 @@
 
 #include "cli/renderers/kept_input.h"
 #include "cli/renderers/registry.h"
+#include "cli/renderers/vulkan_words.h"
 #include "program/nearest_word.h"
 #include "program/usage_error.h"
 
@@ -27,8 +28,13 @@ std::string name_in(const std::string& word) {
     return word.ends_with(sample_word) ? word.substr(0, word.size() - sample_word.size()) : word;
 }
 
+bool is_vulkan(const RendererChoice& choice) {
+    const auto* built_in = std::get_if<BuiltIn>(&choice.who);
+    return built_in != nullptr && built_in->name == vulkan_name;
+}
+
 RendererChoice oracle_named(const std::string& name) {
-    if (std::ranges::count(renderer_names(), name) > 0) return renderer_from_word(name);
+    if (names_vulkan(name) || std::ranges::count(renderer_names(), name) > 0) return renderer_from_word(name);
     std::string names(nobody);
     for (const std::string& known : renderer_names()) names += ", " + known;
     throw UsageError{"oracle '" + name + "': expected one of " + names +
@@ -56,10 +62,16 @@ std::vector<std::string> oracle_names(const RendererWords& words) {
     return each_once(names);
 }
 
+void choose_device(RendererChoice& choice, const RendererWords& words) {
+    if (auto* built_in = std::get_if<BuiltIn>(&choice.who); is_vulkan(choice))
+        built_in->vulkan.device = words.device;
+}
+
 OracleChoice oracle_choice(const std::string& word, const RendererWords& words) {
     const bool required = contains(words.required, word) || contains(words.required, name_in(word));
     const bool asked = required || (words.oracles && contains(*words.oracles, word));
     OracleChoice choice{.renderer = oracle_named(name_in(word))};
+    choose_device(choice.renderer, words);
     choice.renderer.time_limit = std::chrono::seconds{words.time_limit_s};
     if (word.ends_with(sample_word)) choice.pixels = OracleChoice::Pixels::sample;
     if (!asked) choice.pixels = OracleChoice::Pixels::sample_if_cheap;
@@ -82,6 +94,15 @@ void refuse_convention_of_built_in(const RendererChoice& choice) {
                      name_of(choice) + "' needs none"};
 }
 
+/// Only Vulkan has devices to choose from.
+void refuse_device_of_others(const RendererChoice& candidate, const RendererWords& words) {
+    if (words.device.empty() || is_vulkan(candidate) ||
+        std::ranges::any_of(oracle_names(words), names_vulkan))
+        return;
+    throw UsageError{"--device: is of the renderer vulkan, or of the oracle; found '" + name_of(candidate) +
+                     "'"};
+}
+
 /// --convention and --channels, or the same of the reference.
 void add_convention(CLI::App& app, const std::string& prefix, ConventionWords& words) {
     app.add_option(prefix + "convention", words.convention,
@@ -102,12 +123,19 @@ void add_precision_options(CLI::App& app, RendererWords& words) {
         ->check(CLI::Range(1, 86400))
         ->capture_default_str();
     add_convention(app, "--", words.convention);
+    add_device(app, words);
+}
+
+void add_device(CLI::App& app, RendererWords& words) {
+    app.add_option("--device", words.device,
+                   "part of the name of the device that vulkan asks (zproof doctor)")
+        ->type_name("DEVICE");
 }
 
 void add_renderer_options(CLI::App& app, RendererWords& words) {
-    app.add_option(
-           "--renderer", words.renderer,
-           "who is judged: zproof, embree, opengl, povray, or 'CMD {scene} {camera} {width} {height} {out}'")
+    app.add_option("--renderer", words.renderer,
+                   "who is judged: zproof, embree, opengl, povray, vulkan, or 'CMD {scene} {camera} {width} "
+                   "{height} {out}'")
         ->type_name("RENDERER")
         ->capture_default_str();
     add_precision_options(app, words);
@@ -157,7 +185,8 @@ void add_oracle_options(CLI::App& app, RendererWords& words) {
 
 void take_renderer(std::vector<std::string>& typed, RendererWords& words) {
     const auto is_renderer = [](const std::string& word) {
-        return contains(renderer_names(), word) || word.find("{out}") != std::string::npos;
+        return contains(renderer_names(), word) || names_vulkan(word) ||
+               word.find("{out}") != std::string::npos;
     };
     for (auto word = std::ranges::find_if(typed, is_renderer); word != typed.end();
          word = std::ranges::find_if(typed, is_renderer)) {
@@ -175,6 +204,8 @@ RendererChoice candidate_of(const RendererWords& words) {
     choice.ids = ids_from_word(words.ids);
     choice.convention = words.convention;
     refuse_convention_of_built_in(choice);
+    refuse_device_of_others(choice, words);
+    choose_device(choice, words);
     choice.time_limit = std::chrono::seconds{words.time_limit_s};
     choice.kept_input = kept_input(words, choice);
     return choice;

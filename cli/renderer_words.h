@@ -23,6 +23,7 @@ struct RendererWords {
     std::string ids = "triangle";  ///< of the candidate
     std::string filter;            ///< of textures; empty: none
     std::string keep_input;        ///< folder for what a program is handed; empty: it is not kept
+    std::string device;            ///< of Vulkan; empty: the first
     int time_limit_s = 600;
 };
 
@@ -30,6 +31,7 @@ void add_renderer_options(CLI::App& app, RendererWords& words);   ///< --rendere
 void add_precision_options(CLI::App& app, RendererWords& words);  ///< --precision, --time-limit, --convention
 void add_ids_option(CLI::App& app, RendererWords& words);         ///< --ids
 void add_keep_input(CLI::App& app, RendererWords& words);         ///< --keep-input
+void add_device(CLI::App& app, RendererWords& words);             ///< --device
 void add_stored_frame_options(CLI::App& app, RendererWords& words);  ///< --candidate, --reference
 /// --reference-precision, --reference-convention, --reference-channels
 void add_reference_words(CLI::App& app, RendererWords& words);

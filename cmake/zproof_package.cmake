@@ -25,7 +25,7 @@ set(package_version ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})
 set(CPACK_DEBIAN_ZPROOF_PACKAGE_NAME zproof)
 set(CPACK_DEBIAN_ZPROOF_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_ZPROOF_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_ZPROOF_PACKAGE_RECOMMENDS "povray, libgl1-mesa-dri")
+set(CPACK_DEBIAN_ZPROOF_PACKAGE_RECOMMENDS "povray, libgl1-mesa-dri, mesa-vulkan-drivers")
 set(CPACK_COMPONENT_ZPROOF_DESCRIPTION "zproof renders a scene with the rasterizer under test, asks independent
 references what every pixel should hold, and decides every difference from
 the geometry itself, with error bounds derived from the arithmetic that the

@@ -11,9 +11,10 @@ namespace zproof::oracle {
 /// Throws OracleError for a view that is sampled elsewhere.
 inline void require_centre(const View& view, const std::string& reference) {
     if (view.sample.offset_px != glm::dvec2(0))
-        throw OracleError(reference +
-                          " samples pixels at their centres only; expected zproof or embree for sample " +
-                          sample_word(view.sample));
+        throw OracleError(
+            reference +
+            " samples pixels at their centres only; expected zproof, embree or vulkan for sample " +
+            sample_word(view.sample));
 }
 
 }  // namespace zproof::oracle

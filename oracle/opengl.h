@@ -4,7 +4,7 @@
 /// Triangle i of the scene is primitive i of one draw call; the fixed-function rasterizer, clipper and depth
 /// test do the rest. The depth test is `GREATER` on a reversed z, so that of two equal depths the triangle
 /// drawn first stays: the one with the smaller id. Both faces are drawn. Depth comes out of the z-buffer
-/// (oracle/opengl/clip_space.h).
+/// (oracle/clip_space.h).
 #pragma once
 
 #include <memory>

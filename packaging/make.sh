@@ -28,8 +28,8 @@ $(. /etc/os-release && echo "$NAME $VERSION_ID") and needs these packages of it:
     apt-get install --no-install-recommends \\
         $needed
 
-POV-Ray and OpenGL are further references where they are there: povray, libgl1-mesa-dri. bin/zproof doctor tells what
-is installed. The pages are in share/doc/zproof.
+POV-Ray, OpenGL and Vulkan are further references where they are there: povray, libgl1-mesa-dri, mesa-vulkan-drivers.
+bin/zproof doctor tells what is installed. The pages are in share/doc/zproof.
 END
 
 mkdir -p "$folder"

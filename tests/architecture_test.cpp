@@ -73,6 +73,7 @@ const std::map<std::string, Names> spoken_to_in{
     {"embree", {"oracle"}},
     {"EGL/", {"oracle"}},
     {"GL/", {"oracle"}},
+    {"vulkan/", {"oracle"}},
     {"OpenImageIO/", {"image_io"}},
     {"tiny_gltf.h", {"scenes"}},
     {"nlohmann/", {"frame", "scenes", "reports", "program", "filters"}},

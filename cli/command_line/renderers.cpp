@@ -90,15 +90,16 @@ Branch add_fit(CLI::App& parent, CommandWords& words) {
         "SCENE", fit.scenes,
         std::string{"'suite', a folder, a renderer, or a "} + scene_words + "; none: the whole suite");
     app.add_option("--view", fit.view, "name of the view; default: all")->type_name("VIEW");
-    app.add_option(
-           "--renderer", words.renderers.renderer,
-           "whose frames: zproof, embree, opengl, povray, or 'CMD {scene} {camera} {width} {height} {out}'")
+    app.add_option("--renderer", words.renderers.renderer,
+                   "whose frames: zproof, embree, opengl, povray, vulkan, or 'CMD {scene} {camera} {width} "
+                   "{height} {out}'")
         ->type_name("RENDERER")
         ->capture_default_str();
     app.add_option("--time-limit", words.renderers.time_limit_s,
                    "seconds for a picture of a renderer that is a program")
         ->check(CLI::Range(1, 86400))
         ->capture_default_str();
+    add_device(app, words.renderers);
     app.add_option("--candidate", words.renderers.candidate, "a stored frame in the renderer's place");
     add_common(app, fit.common, "folder for tables, chart, fit.json and precision.json");
     add_render_settings(app, fit.settings);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/renderers/registry.h"
+#include "cli/renderers/vulkan_words.h"
 #include "frame/input_file.h"
 #include "frame/joined.h"
 #include "program/nearest_word.h"
@@ -15,7 +16,11 @@ namespace {
 
 std::string known_names() { return joined(renderer_names()); }
 
-std::string option_of(const BuiltIn& built_in) { return " --renderer " + built_in.name; }
+std::string option_of(const BuiltIn& built_in) {
+    const std::string& device = built_in.vulkan.device;
+    return " --renderer " + built_in.name + words_of(built_in.vulkan) +
+           (device.empty() ? "" : " --device " + shell_quoted(device));
+}
 
 std::string option_of(const Program& program) { return " --renderer " + shell_quoted(program.command); }
 
@@ -26,6 +31,10 @@ std::string option_of(const StoredFrame& stored) {
 }  // namespace
 
 RendererChoice renderer_from_word(const std::string& word) {
+    if (names_vulkan(word))
+        return {.who = BuiltIn{std::string(vulkan_name),
+                               vulkan_settings_from_words(word.substr(vulkan_name.size()))},
+                .precision_word = {}};
     if (std::ranges::count(renderer_names(), word) > 0) return {.who = BuiltIn{word}, .precision_word = {}};
     if (word.find("{out}") != std::string::npos) return {.who = Program{word}, .precision_word = {}};
     throw UsageError{"renderer '" + word + "': expected one of " + known_names() +
@@ -48,7 +57,8 @@ bool are_the_usual(const ChosenRenderers& renderers) {
 }
 
 std::string name_of(const RendererChoice& choice) {
-    if (const auto* built_in = std::get_if<BuiltIn>(&choice.who)) return built_in->name;
+    if (const auto* built_in = std::get_if<BuiltIn>(&choice.who))
+        return built_in->name + words_of(built_in->vulkan);
     if (const auto* program = std::get_if<Program>(&choice.who)) return program->command;
     return std::get<StoredFrame>(choice.who).file.string();
 }

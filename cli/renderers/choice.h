@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "frame/precision.h"
+#include "oracle/vulkan.h"
 #include "scenes/sample.h"
 
 namespace zproof {
@@ -20,6 +21,7 @@ class KeptInput;
 /// One of those that zproof knows by name: see renderer_names().
 struct BuiltIn {
     std::string name;
+    oracle::VulkanSettings vulkan{};  ///< of the renderer of that name
 };
 
 /// Somebody's program (docs/renderer-contract.md).
@@ -70,7 +72,8 @@ struct ChosenRenderers {
     std::vector<OracleChoice> oracles;  ///< no two of one name, none named like candidate or reference
 };
 
-/// A word after --renderer: a name that zproof knows, or a command with {out} in it. Throws UsageError.
+/// A word after --renderer: a name that zproof knows, for vulkan with settings behind it, or a command with
+/// {out} in it. Throws UsageError.
 RendererChoice renderer_from_word(const std::string& word);
 
 /// What is typed after --ids. Throws UsageError for what is neither a word nor a file.
@@ -80,7 +83,7 @@ std::string ids_from_word(const std::string& word);
 /// manifest know which classes must occur.
 bool are_the_usual(const ChosenRenderers& renderers);
 
-/// The renderer in words: "povray", the command, the file.
+/// The renderer in words: "povray", "vulkan:depth_format=unorm16", the command, the file.
 std::string name_of(const RendererChoice& choice);
 
 /// The options that mean this choice, for a shell, each with a blank before it: " --renderer povray". The

@@ -6,7 +6,9 @@
 #include <array>
 #include <cctype>
 #include <cstring>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <utility>
 
 #include "cli/renderers/kept_input.h"
@@ -22,6 +24,7 @@
 #include "oracle/povray.h"
 #include "oracle/povray/budget.h"
 #include "oracle/subprocess.h"
+#include "oracle/vulkan.h"
 #include "program/samples.h"
 #include "program/usage_error.h"
 #include "program/version.h"
@@ -43,27 +46,33 @@ struct Answers {
 /// One that zproof knows by name. A new one is a row in `known`.
 struct Known {
     const char* name;
-    std::string (*absence)();  ///< why it cannot be asked on this machine; empty: it can
-    std::string (*version)();
-    Precision (*precision)();
-    Answers (*on)(const Scene& scene, std::chrono::seconds time_limit);
+    std::string (*absence)(const BuiltIn&);  ///< why it cannot be asked on this machine; empty: it can
+    std::string (*version)(const BuiltIn&);
+    Precision (*precision)(const BuiltIn&);
+    Answers (*on)(const Scene& scene, const BuiltIn& one, std::chrono::seconds time_limit);
 };
 
-std::string never_absent() { return ""; }
+std::string never_absent(const BuiltIn&) { return ""; }
 
-Precision rasterizer_precision() { return rasterizer::precision(); }
+std::string rasterizer_version(const BuiltIn&) { return version_number(); }
 
-Answers rasterizer_on(const Scene& scene, std::chrono::seconds) {
+Precision rasterizer_precision(const BuiltIn&) { return rasterizer::precision(); }
+
+Answers rasterizer_on(const Scene& scene, const BuiltIn&, std::chrono::seconds) {
     return {[&scene](const View& view) { return rasterizer::render(scene, view); }};
 }
 
-Answers embree_on(const Scene& scene, std::chrono::seconds) {
+std::string embree_version(const BuiltIn&) { return oracle::embree_version(); }
+
+Precision embree_precision(const BuiltIn&) { return oracle::embree_precision(); }
+
+Answers embree_on(const Scene& scene, const BuiltIn&, std::chrono::seconds) {
     const auto embree = std::make_shared<const oracle::Embree>(scene);
     return {[embree](const View& view) { return embree->trace(view); }};
 }
 
 /// OpenGL is asked only once, since that starts a driver.
-std::string opengl_absence() {
+std::string opengl_absence(const BuiltIn&) {
     static const std::string why = oracle::opengl_is_missing().value_or("");
     return why;
 }
@@ -74,13 +83,41 @@ const oracle::OpenGlDriver& opengl_driver() {
     return driver;
 }
 
-std::string opengl_version() { return opengl_driver().version(); }
+std::string opengl_version(const BuiltIn&) { return opengl_driver().version(); }
 
-Precision opengl_precision() { return opengl_driver().precision(); }
+Precision opengl_precision(const BuiltIn&) { return opengl_driver().precision(); }
 
-Answers opengl_on(const Scene& scene, std::chrono::seconds) {
+Answers opengl_on(const Scene& scene, const BuiltIn&, std::chrono::seconds) {
     const auto opengl = std::make_shared<const oracle::OpenGl>(scene, opengl_driver());
     return {[opengl](const View& view) { return opengl->render(view); }};
+}
+
+/// A device with these settings is opened once, when it is first needed.
+const oracle::VulkanDriver& vulkan_driver(const BuiltIn& vulkan) {
+    static std::mutex one_thread;
+    static std::map<oracle::VulkanSettings, oracle::VulkanDriver> drivers;
+    const std::scoped_lock lock(one_thread);
+    const auto found = drivers.find(vulkan.vulkan);
+    return found != drivers.end() ? found->second
+                                  : drivers.try_emplace(vulkan.vulkan, vulkan.vulkan).first->second;
+}
+
+std::string vulkan_absence(const BuiltIn& vulkan) {
+    try {
+        vulkan_driver(vulkan);
+        return "";
+    } catch (const OracleError& e) {
+        return e.what();
+    }
+}
+
+std::string vulkan_version(const BuiltIn& vulkan) { return vulkan_driver(vulkan).version(); }
+
+Precision vulkan_precision(const BuiltIn& vulkan) { return vulkan_driver(vulkan).precision(); }
+
+Answers vulkan_on(const Scene& scene, const BuiltIn& one, std::chrono::seconds) {
+    const auto vulkan = std::make_shared<const oracle::Vulkan>(scene, vulkan_driver(one));
+    return {[vulkan](const View& view) { return vulkan->render(view); }};
 }
 
 /// POV-Ray's version is asked only once, since that runs the program. Empty where it is not installed.
@@ -89,11 +126,15 @@ std::string povray_version_words() {
     return version;
 }
 
-std::string povray_absence() {
+std::string povray_version(const BuiltIn&) { return povray_version_words(); }
+
+Precision povray_precision(const BuiltIn&) { return oracle::povray_precision(); }
+
+std::string povray_absence(const BuiltIn&) {
     return povray_version_words().empty() ? "not installed; on Debian: apt-get install povray" : "";
 }
 
-Answers povray_on(const Scene& scene, std::chrono::seconds time_limit) {
+Answers povray_on(const Scene& scene, const BuiltIn&, std::chrono::seconds time_limit) {
     const auto povray =
         std::make_shared<const oracle::PovRay>(scene, oracle::PovRayOptions{.time_limit = time_limit});
     return {[povray](const View& view) { return povray->render(view); },
@@ -110,10 +151,11 @@ Answers povray_on(const Scene& scene, std::chrono::seconds time_limit) {
 }
 
 constexpr std::array known{
-    Known{"zproof", never_absent, version_number, rasterizer_precision, rasterizer_on},
-    Known{"embree", never_absent, oracle::embree_version, oracle::embree_precision, embree_on},
+    Known{"zproof", never_absent, rasterizer_version, rasterizer_precision, rasterizer_on},
+    Known{"embree", never_absent, embree_version, embree_precision, embree_on},
     Known{"opengl", opengl_absence, opengl_version, opengl_precision, opengl_on},
-    Known{"povray", povray_absence, povray_version_words, oracle::povray_precision, povray_on},
+    Known{"povray", povray_absence, povray_version, povray_precision, povray_on},
+    Known{"vulkan", vulkan_absence, vulkan_version, vulkan_precision, vulkan_on},
 };
 
 const Known& known_as(const BuiltIn& built_in) {
@@ -121,7 +163,8 @@ const Known& known_as(const BuiltIn& built_in) {
 }
 
 Precision own_promise(const RendererChoice& choice) {
-    if (const auto* built_in = std::get_if<BuiltIn>(&choice.who)) return known_as(*built_in).precision();
+    if (const auto* built_in = std::get_if<BuiltIn>(&choice.who))
+        return known_as(*built_in).precision(*built_in);
     return RasterPrecision{};
 }
 
@@ -162,7 +205,7 @@ Answers program(const RendererChoice& choice, const Scene& scene) {
 
 Answers answers_on(const RendererChoice& choice, const Scene& scene) {
     if (const auto* built_in = std::get_if<BuiltIn>(&choice.who))
-        return known_as(*built_in).on(scene, choice.time_limit);
+        return known_as(*built_in).on(scene, *built_in, choice.time_limit);
     if (std::holds_alternative<StoredFrame>(choice.who)) return stored(choice);
     return program(choice, scene);
 }
@@ -222,7 +265,7 @@ std::vector<std::string> renderer_names() {
 
 std::string absence_of(const RendererChoice& choice) {
     const auto* built_in = std::get_if<BuiltIn>(&choice.who);
-    return built_in == nullptr ? "" : known_as(*built_in).absence();
+    return built_in == nullptr ? "" : known_as(*built_in).absence(*built_in);
 }
 
 void require_program(const RendererChoice& choice) {
@@ -258,7 +301,7 @@ RendererFacts facts_of(const RendererChoice& choice) {
     require_program(choice);  // refused before anything is rendered, and so is a convention
     declared_convention(choice);
     return {.name = name_of(choice),
-            .version = built_in == nullptr ? "" : known_as(*built_in).version(),
+            .version = built_in == nullptr ? "" : known_as(*built_in).version(*built_in),
             .precision = precision_to_json(declared_precision(choice)),
             .ids = choice.ids};
 }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "frame/plane.h"
-#include "oracle/opengl/clip_space.h"
+#include "oracle/clip_space.h"
 #include "scenes/scene.h"
 
 namespace zproof::oracle::opengl {

@@ -3,7 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include "oracle/centre_only.h"
-#include "oracle/opengl/clip_space.h"
+#include "oracle/clip_space.h"
 #include "oracle/opengl/context.h"
 #include "oracle/opengl/drawing.h"
 #include "oracle/oracle_error.h"
@@ -28,7 +28,7 @@ struct Pixels {
 
 /// z is 0 where nothing was drawn; background has no depth. Anything else is handed on for the judge to see.
 Frame to_frame(const Pixels& pixels, const Camera& camera) {
-    const opengl::DepthFromZ depth_from(camera);
+    const DepthFromZ depth_from(camera);
     Frame frame(pixels.id.size());
     tbb::parallel_for(0, frame.size().height, [&](int y) {
         for (int x = 0; x < frame.size().width; ++x) {
@@ -57,7 +57,7 @@ struct OpenGlDriver::State {
     Pixels draw(const opengl::Mesh& mesh, const View& view) const {
         const opengl::Target target({view.width, view.height});
         target.start();
-        opengl::draw(*program, mesh, opengl::clip_rows(view.camera));
+        opengl::draw(*program, mesh, clip_rows(view.camera));
         Pixels pixels{target.ids(), target.depths()};
         opengl::raise_gl_error("reads the view '" + view.name + "' back");
         return pixels;

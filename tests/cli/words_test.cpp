@@ -117,6 +117,28 @@ TEST(CommandLine, NamesRenderersProgramsAndStoredFrames) {
     EXPECT_THROW(parsed({"run", "--renderer", "no-such-renderer"}), UsageError);
 }
 
+TEST(CommandLine, GivesVulkanItsSettingsAndItsDevice) {
+    const auto run = std::any_cast<RunArguments>(
+        parsed({"run", "--renderer", "vulkan:depth_buffer=standard_z:depth_format=unorm16:ids=any",
+                "--device", "llvm pipe", "--oracle", "vulkan:planes=distances"})
+            .arguments);
+    const oracle::VulkanSettings& candidate = std::get<BuiltIn>(run.renderers.candidate.who).vulkan;
+    EXPECT_EQ(candidate.depth_format, DepthFormat::unorm16);
+    EXPECT_EQ(candidate.depth_buffer, DepthBuffer::standard_z);
+    EXPECT_EQ(candidate.device, "llvm pipe");
+    EXPECT_EQ(options_for(run.renderers.candidate),
+              " --renderer vulkan:depth_format=unorm16:depth_buffer=standard_z --device 'llvm pipe'");
+    const oracle::VulkanSettings& oracle = std::get<BuiltIn>(run.renderers.oracles.at(0).renderer.who).vulkan;
+    EXPECT_EQ(oracle, (oracle::VulkanSettings{.device = "llvm pipe", .planes = oracle::PlanesBy::distances}));
+    EXPECT_EQ(
+        name_of(std::any_cast<FitArguments>(parsed({"fit", "vulkan:ids=vertex", "room"}).arguments).renderer),
+        "vulkan:ids=vertex");
+    for (const char* wrong :
+         {"vulkan:", "vulkan:depth=16", "vulkan:depth_format=unorm16:", "vulkanic", "opengl:ids=any"})
+        EXPECT_THROW(parsed({"run", "--renderer", wrong}), UsageError) << wrong;
+    EXPECT_THROW(parsed({"run", "--device", "llvmpipe"}), UsageError) << "nobody there has devices";
+}
+
 TEST(CommandLine, CallsOraclesOnceAndNotTheCandidate) {
     const auto names = [](std::vector<const char*> words) {
         std::vector<std::string> list;
