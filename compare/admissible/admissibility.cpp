@@ -61,6 +61,13 @@ Decision decide_by_region(const Neighbourhood& around, PrimitiveId answer, Copla
     }
 }
 
+/// Do two corners of one stand where two of the other do?
+bool share_an_edge(const Neighbour& a, const Neighbour& b) {
+    return std::ranges::count_if(a.p_world, [&](const glm::vec3& p) {
+               return std::ranges::find(b.p_world, p) != b.p_world.end();
+           }) >= 2;
+}
+
 }  // namespace
 
 Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar) {
@@ -82,6 +89,9 @@ bool may_lie_at(double inverse_depth, const Neighbourhood& around, PrimitiveId a
     if (!index) return true;
     Neighbourhood there = around;
     there.neighbours[*index].greatest_inverse_depth = inverse_depth;
+    for (Neighbour& n : there.neighbours)
+        n.may_be_missing |=
+            n.triangle != there.neighbours[*index].triangle && share_an_edge(n, there.neighbours[*index]);
     const auto is_held = [&]<class Number>(AdmissibleSet<Number> set) {
         try {
             return set.holds(*index, {DepthRule::bounded, set.edge_rule()}) || set.holds(*index, by_crack);

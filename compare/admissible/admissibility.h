@@ -38,8 +38,9 @@ struct Decision {
 /// none. In double, then by intervals, then by rationals.
 Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar);
 
-/// May an admissible answer lie there, or does what covers the pixel for certain lie in front of that inverse
-/// depth? True where it would take too much work.
+/// May an admissible answer whose depth nothing bounds lie there, or does what covers the pixel for certain
+/// lie in front of that inverse depth? So thin an image may turn over: a neighbour that has an edge of it
+/// comes to lie beside it then, and hides none of it. True where it would take too much work.
 bool may_lie_at(double inverse_depth, const Neighbourhood& around, PrimitiveId answer,
                 CoplanarCache& coplanar);
 

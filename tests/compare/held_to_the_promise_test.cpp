@@ -64,6 +64,24 @@ TEST(HeldToThePromise, AZBuffersDepthOfATriangleEdgeOnIsOneThatPassedItsTest) {
         EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::wrong_depth) << depth;
 }
 
+/// A sliver behind its neighbour may come to lie beside it when their corners are moved: then that neighbour
+/// hides none of it. One that it shares no edge with does.
+TEST(HeldToThePromise, AZBuffersDepthOfASliverIsNotThatOfTheNeighbourItIsFoldedBehind) {
+    const Triangle sliver{{{1.4995, -8, 2}, {1.4995, 24, 2}, {1.49951, 8, 8}}};
+    for (const bool is_neighbour : {true, false}) {
+        const double left = is_neighbour ? 1.4995 : 1;
+        TestScene t(Projection::perspective, 4, 4,
+                    {sliver, Triangle{{{left, -8, 2}, {left, 24, 2}, {30, 8, 2}}}, wall(16)});
+        t.candidate_precision = precision_from_word("d3d11");
+        answer_everywhere(t.reference, 1, 2);
+        EXPECT_EQ(class_of_depth(t, 1, 1, 2), PixelClass::depth_tie);
+        EXPECT_EQ(class_of_depth(t, 1, 1, 5), is_neighbour ? PixelClass::depth_tie : PixelClass::wrong_depth);
+        EXPECT_EQ(class_of_depth(t, 1, 1, 15.9),
+                  is_neighbour ? PixelClass::depth_tie : PixelClass::wrong_depth);
+        EXPECT_EQ(class_of_depth(t, 1, 1, 16.1), PixelClass::wrong_depth);
+    }
+}
+
 /// In steps, half of one is added to what passed its test and to the planes, and no more.
 TEST(HeldToThePromise, ADepthOfATriangleEdgeOnMayBeHalfAStepBeyondWhatHoldsIt) {
     TestScene t(Projection::perspective, 4, 4, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}, wall(16)});
