@@ -2,11 +2,13 @@
 #include <iostream>
 #include <sstream>
 
+#include "filters/commands/check_power.h"
 #include "filters/commands/claim.h"
 #include "filters/commands/commands.h"
 #include "filters/commands/joint_check.h"
 #include "filters/reference/admissible_surfaces.h"
 #include "filters/selftest/filter_fault.h"
+#include "filters/selftest/likely_cause.h"
 #include "oracle/convention/stored_frame.h"
 #include "program/common_arguments.h"
 #include "program/interrupt.h"
@@ -50,6 +52,22 @@ Picture picture_of(const FilterFixture& fixture, const FilterChoice& choice,
     return oracle::read_stored_picture(own, fixture.view, reading_limit);
 }
 
+/// The picture against its promise as a whole, and what the check could have seen of one that passes.
+struct WholePicture {
+    std::optional<JointConformance> joint;
+    std::optional<CheckPower> power;
+
+    bool is_open() const { return power && !power->proves_something(); }
+
+    /// Estimates mean nothing where any picture would pass.
+    std::vector<std::string> words(const Conformance& found) const {
+        std::vector<std::string> lines;
+        if (joint) lines = is_open() ? std::vector{promised_in_words(*joint)} : in_words(*joint);
+        if (power) std::ranges::copy(in_words(*power, found), std::back_inserter(lines));
+        return lines;
+    }
+};
+
 /// Judges every method on one view; how many of them keep to their definition.
 class FilterChecker {
   public:
@@ -75,35 +93,53 @@ class FilterChecker {
             const Picture picture = picture_of(fixture, choice, arguments_.picture);
             const FilterClaim claim = claim_of(choice, arguments_.precision);
             const ConformanceResult result = selftest::conformance_of(picture, fixture, claim);
-            const std::optional<JointConformance> joint = joint_of(picture, fixture, claim);
-            const bool is_wrong = result.is_caught() || (joint && joint->leaves_promise());
-            tell((is_wrong ? "FAILED  " : "passed  ") + name + found_in_words(result) +
+            const WholePicture whole = whole_picture(picture, fixture, claim, result);
+            const bool is_wrong = result.is_caught() || (whole.joint && whole.joint->leaves_promise());
+            const bool is_open = !is_wrong && whole.is_open();
+            tell((is_wrong  ? "FAILED  "
+                  : is_open ? "nothing "
+                            : "passed  ") +
+                 name + found_in_words(result) +
+                 selftest::causes_in_words(causes_of(picture, fixture, claim, result)) +
                  where_in_words(result.found) + "\n");
-            for (const std::string& line : joint ? in_words(*joint) : std::vector<std::string>{})
-                tell("        " + line + "\n");
+            for (const std::string& line : whole.words(result.found)) tell("        " + line + "\n");
             ++judged_;
-            failed_ += is_wrong;
+            failed_ += is_wrong, open_ += is_open;
         }
     }
 
     ExitCode outcome() {
         std::ostringstream line;
-        line << judged_ << (judged_ == 1 ? " picture: " : " pictures: ") << judged_ - failed_
-             << " within the reference of their method, " << failed_ << " not\n";
+        line << judged_ << (judged_ == 1 ? " picture: " : " pictures: ") << judged_ - failed_ - open_
+             << " within the reference of their method, " << failed_ << " not";
+        if (open_ > 0) line << ", " << open_ << " of which nothing is proved";
+        line << "\n";
         progress_.say(std::cout, line.str());
         if (std::size_t(judged_) < expected_ || scenes_left_ > 0)
             return say_interrupted({std::size_t(judged_), expected_, scenes_left_}, "picture", "judged");
         if (judged_ == 0) return ExitCode::nothing;
-        return failed_ == 0 ? ExitCode::proven : ExitCode::defect;
+        if (failed_ > 0) return ExitCode::defect;
+        return open_ == 0 ? ExitCode::proven : ExitCode::cannot_judge;
     }
 
   private:
-    /// The joint errors of what has a promise of its own. Beside zproof's, which is exact, no joint error
-    /// could hide.
-    std::optional<JointConformance> joint_of(const Picture& picture, const FilterFixture& fixture,
-                                             const FilterClaim& claim) const {
+    /// What is asked of the picture as a whole. Beside zproof's own promise, which is exact, no joint error
+    /// could hide, and every defect that shows is seen.
+    WholePicture whole_picture(const Picture& picture, const FilterFixture& fixture, const FilterClaim& claim,
+                               const ConformanceResult& result) const {
         if (!arguments_.precision && arguments_.picture.empty()) return {};
-        return joint_conformance_of(picture, fixture, claim);
+        const JointCheck check = joint_check_of(fixture, claim);
+        WholePicture whole{.joint = check.judge(picture), .power = {}};
+        const bool is_right = !result.is_caught() && !whole.joint->leaves_promise();
+        if (is_right) whole.power = power_of(fixture, claim, result.found, check);
+        return whole;
+    }
+
+    static std::vector<std::string> causes_of(const Picture& picture, const FilterFixture& fixture,
+                                              const FilterClaim& claim, const ConformanceResult& result) {
+        if (result.found.outside == 0) return {};
+        return selftest::causes_of(picture, selftest::ChangedDefinitions{fixture, claim}, claim, result.found,
+                                   selftest::likely_changes(fixture.scene, claim));
     }
 
     void tell(const std::string& line) {
@@ -111,8 +147,8 @@ class FilterChecker {
     }
 
     const FiltersCheckArguments& arguments_;
-    int judged_ = 0, failed_ = 0;
-    std::size_t expected_ = 0;  ///< pictures of the scenes that were begun
+    int judged_ = 0, failed_ = 0, open_ = 0;  ///< open: nothing is proved
+    std::size_t expected_ = 0;                ///< pictures of the scenes that were begun
     std::size_t scenes_left_;
     WorkProgress progress_;
 };

@@ -6,94 +6,35 @@
 #include <iterator>
 #include <memory>
 #include <sstream>
-#include <stdexcept>
 
-#include "filters/reference/admissible_surfaces.h"
+#include "filters/selftest/changed_definition.h"
 
 namespace zproof {
 
 namespace {
 
-using oracle::FilterReference;
 using oracle::FilterSettings;
+using selftest::ChangedDefinitions;
+using selftest::DefinitionChange;
 using selftest::FilterClaim;
 using selftest::FilterFixture;
 
-/// The differences by which the picture's change is found: small beside a texel and a level, large beside
-/// what the reference leaves open (2^-24).
-constexpr double step = 0x1p-10;
+/// Every value times so much.
+PixelReference with_gain(const PixelReference& definition, double gain) {
+    return [definition, gain](int x, int y, const FilterPrecision& precision) {
+        PermittedColours permitted = definition(x, y, precision);
+        for (ColourRange& range : permitted) range.low *= gain, range.high *= gain;
+        return permitted;
+    };
+}
 
-/// Makes definitions with one quantity changed.
-class ChangedDefinitions {
-  public:
-    ChangedDefinitions(const FilterFixture& fixture, const FilterClaim& claim)
-        : fixture_(fixture),
-          claim_(claim),
-          surfaces_(std::make_shared<const oracle::AdmissibleSurfaces>(fixture.scene, fixture.view,
-                                                                       claim.precision)),
-          as_it_is_(made({}, settings())) {}
-
-    const PixelReference& as_it_is() const { return as_it_is_; }
-
-    PixelReference with_lod(double offset) const {
-        FilterSettings changed = settings();
-        changed.lod_bias += offset;
-        return made({}, changed);
-    }
-
-    /// Every place so many texels of level 0 on.
-    PixelReference with_place(const glm::dvec2& texels) const {
-        const auto changed = std::make_shared<Scene>(fixture_.scene);
-        for (Material& material : changed->materials) {
-            Texture& texture = material.base_color;
-            if (texture.image == Texture::none) continue;
-            const Image& image = changed->images[std::size_t(texture.image)];
-            texture.transform.translation += texels / glm::dvec2{image.width, image.height};
-        }
-        return made(changed, settings());
-    }
-
-    /// Another setting of the method.
-    PixelReference with(const std::function<void(FilterSettings&)>& change) const {
-        FilterSettings changed = settings();
-        change(changed);
-        return made({}, changed);
-    }
-
-    /// Weights that are multiples of 2^-bits.
-    PixelReference with_weights_on(const WeightLattice& lattice) const {
-        return [as_is = as_it_is_, lattice](int x, int y, FilterPrecision precision) {
-            precision.weights_on = lattice;
-            return as_is(x, y, precision);
-        };
-    }
-
-    PixelReference with_gain(double gain) const {
-        return [as_is = as_it_is_, gain](int x, int y, const FilterPrecision& precision) {
-            PermittedColours permitted = as_is(x, y, precision);
-            for (ColourRange& range : permitted) range.low *= gain, range.high *= gain;
-            return permitted;
-        };
-    }
-
-  private:
-    FilterSettings settings() const { return selftest::reference_settings(claim_.options, claim_.precision); }
-
-    /// The reference of a scene that it keeps; of the fixture's where there is none.
-    PixelReference made(std::shared_ptr<const Scene> scene, const FilterSettings& settings) const {
-        const auto reference = std::make_shared<const FilterReference>(
-            scene ? *scene : fixture_.scene, fixture_.view, *oracle::find_filter_definition(claim_.method),
-            settings, selftest::step_rule(claim_.derivatives));
-        return [scene, reference, surfaces = surfaces_](int x, int y, const FilterPrecision& precision) {
-            return reference->at(x, y, surfaces->at(x, y), precision);
-        };
-    }
-
-    const FilterFixture& fixture_;
-    const FilterClaim& claim_;
-    std::shared_ptr<const oracle::AdmissibleSurfaces> surfaces_;
-    PixelReference as_it_is_;
-};
+/// Weights that are multiples of 2^-bits.
+PixelReference with_weights_on(const PixelReference& definition, const WeightLattice& lattice) {
+    return [definition, lattice](int x, int y, FilterPrecision precision) {
+        precision.weights_on = lattice;
+        return definition(x, y, precision);
+    };
+}
 
 /// Bits of what may err by 2^-a and by 2^-b.
 double both(double a, double b) { return -std::log2(std::exp2(-a) + std::exp2(-b)); }
@@ -129,14 +70,20 @@ FilterPrecision offset_alone(const FilterPrecision& promise) {
 }
 
 /// Whatever flattens a texture's contrast looks like a gain below 1, so that all of the promise counts there.
-std::vector<OffsetReference> offsets_of(const ChangedDefinitions& changed, const FilterClaim& claim) {
+std::vector<OffsetReference> offsets_of(const FilterClaim& claim) {
     const FilterPrecision& promise = claim.precision;
-    const glm::dvec2 right{step, 0}, down{0, step};
-    return {
-        {"LOD", "levels", step, changed.with_lod(-step), changed.with_lod(step), lod_alone(claim)},
-        {"u", "texels", step, changed.with_place(-right), changed.with_place(right), offset_alone(promise)},
-        {"v", "texels", step, changed.with_place(-down), changed.with_place(down), offset_alone(promise)},
-        {"gain", "", step, changed.with_gain(1 - step), changed.with_gain(1 + step), promise}};
+    return {{"LOD", "levels", lod_alone(claim)},
+            {"u", "texels", offset_alone(promise)},
+            {"v", "texels", offset_alone(promise)},
+            {"gain", "", promise}};
+}
+
+/// By offsets_of.
+PixelReference shifted(const ChangedDefinitions& changed, const std::vector<double>& offsets) {
+    DefinitionChange change = selftest::moved_place("", {offsets[1], offsets[2]});
+    change.of_claim = selftest::biased_lod("", offsets[0]).of_claim;
+    const PixelReference definition = changed.under(change);
+    return offsets[3] == 0 ? definition : with_gain(definition, 1 + offsets[3]);
 }
 
 /// Lattices that a renderer of so many promised bits cannot be on, four of each rounding: to the nearest errs
@@ -150,7 +97,7 @@ std::vector<AlternativeReference> coarser_weights(const ChangedDefinitions& chan
     const auto add = [&](int bits, Rounding rounding, const char* how) {
         if (bits < 1) return;
         all.push_back({"weights of " + std::to_string(bits) + " bits, rounded " + how,
-                       changed.with_weights_on({double(bits), rounding})});
+                       with_weights_on(changed.as_it_is(), {double(bits), rounding})});
     };
     for (int fewer = 1; fewer <= 4; ++fewer) {
         add(promised - fewer, Rounding::down, "down");
@@ -164,34 +111,51 @@ std::vector<AlternativeReference> coarser_levels(const ChangedDefinitions& chang
                                                  const FilterClaim& claim) {
     using oracle::filter_reference::LevelFormat;
     if (claim.precision.texel_bits <= 11 || claim.options.given_levels) return {};
-    return {{"levels above 0 of float16",
-             changed.with([](FilterSettings& s) { s.format = LevelFormat::float16; })},
-            {"levels of float16",
-             changed.with([](FilterSettings& s) { s.format = LevelFormat::float16_throughout; })}};
+    const auto under = [&](void (*change)(FilterSettings&)) {
+        return changed.under({.name = {}, .of_reference = change});
+    };
+    return {
+        {"levels above 0 of float16", under([](FilterSettings& s) { s.format = LevelFormat::float16; })},
+        {"levels of float16", under([](FilterSettings& s) { s.format = LevelFormat::float16_throughout; })}};
 }
 
-JointReferences references_of(const ChangedDefinitions& changed, const FilterClaim& claim) {
-    std::vector<AlternativeReference> alternatives = coarser_weights(changed, claim.precision);
-    std::ranges::move(coarser_levels(changed, claim), std::back_inserter(alternatives));
-    alternatives.push_back({"four times the limit of anisotropy",
-                            changed.with([](FilterSettings& s) { s.max_anisotropy *= 4; })});
+JointReferences references_of(const FilterFixture& fixture, const FilterClaim& claim) {
+    const auto changed = std::make_shared<const ChangedDefinitions>(fixture, claim);
+    const auto with_limit = [&](const char* name, double times) -> AlternativeReference {
+        return {name, changed->under({.name = {}, .of_reference = [times](FilterSettings& s) {
+                                          s.max_anisotropy = int(s.max_anisotropy * times);
+                                      }})};
+    };
+    std::vector<AlternativeReference> alternatives = coarser_weights(*changed, claim.precision);
+    std::ranges::move(coarser_levels(*changed, claim), std::back_inserter(alternatives));
+    alternatives.push_back(with_limit("four times the limit of anisotropy", 4));
     if (claim.options.max_anisotropy > 1)
-        alternatives.push_back(
-            {"half the limit of anisotropy", changed.with([](FilterSettings& s) { s.max_anisotropy /= 2; })});
-    return {changed.as_it_is(), offsets_of(changed, claim), std::move(alternatives)};
+        alternatives.push_back(with_limit("half the limit of anisotropy", 0.5));
+    return {offsets_of(claim),
+            [changed](const std::vector<double>& offsets) { return shifted(*changed, offsets); },
+            std::move(alternatives)};
 }
 
 /// "LOD +0.0100 +- 0.0002 levels, promised within 0.0078: leaves the promise (chance below 2^-63)"
-std::string in_words(const OffsetEstimate& offset) {
+std::string in_words(const OffsetEstimate& offset, const JointConformance& all) {
     std::ostringstream line;
     line << offset.name;
     if (!offset.is_told) return offset.name + " not told";
-    line << std::showpos << std::setprecision(3) << " " << offset.value << std::noshowpos
-         << std::setprecision(1) << " +- " << offset.standard_error
-         << (offset.unit.empty() ? "" : " " + offset.unit) << std::setprecision(2) << ", promised within "
-         << offset.promised;
+    if (all.are_offsets_known())
+        line << std::showpos << std::setprecision(3) << " " << offset.value << std::noshowpos
+             << std::setprecision(1) << " +- " << offset.standard_error
+             << (offset.unit.empty() ? "" : " " + offset.unit);
+    else
+        line << " not told: large, or no offset";
+    line << std::setprecision(2) << ", promised within " << offset.promised;
+    const bool is_beyond = std::abs(offset.value) - 3 * offset.standard_error > offset.promised;
     if (offset.leaves_promise)
-        line << ": leaves the promise (chance below 2^" << int(std::ceil(offset.log2_chance)) << ")";
+        line << (all.are_offsets_known() ? ": leaves" : ": the picture, along it, leaves")
+             << " the promise (chance below 2^" << int(std::ceil(offset.log2_chance)) << ")";
+    else if (is_beyond && all.are_offsets_known())
+        line << " on the average; roundings of other promises may make it (chance up to 2^"
+             << int(std::ceil(offset.log2_chance)) << ", refused from 2^"
+             << int(std::floor(all.log2_least_chance)) << ")";
     return line.str();
 }
 
@@ -206,17 +170,31 @@ std::string in_words(const AlternativeFit& other) {
 
 }  // namespace
 
+JointCheck joint_check_of(const FilterFixture& fixture, const FilterClaim& claim) {
+    return {{fixture.view.width, fixture.view.height}, references_of(fixture, claim), claim.precision};
+}
+
 JointConformance joint_conformance_of(const Picture& picture, const FilterFixture& fixture,
                                       const FilterClaim& claim) {
-    if (oracle::find_filter_definition(claim.method) == nullptr)
-        throw std::logic_error("no reference for the method '" + claim.method + "'");
-    const ChangedDefinitions changed{fixture, claim};
-    return joint_conformance(picture, references_of(changed, claim), claim.precision);
+    return joint_check_of(fixture, claim).judge(picture);
+}
+
+std::string promised_in_words(const JointConformance& found) {
+    std::ostringstream line;
+    line << "offsets promised within:" << std::setprecision(2);
+    const char* before = " ";
+    for (const OffsetEstimate& offset : found.offsets) {
+        if (!offset.is_told) continue;
+        line << before << offset.name << " " << offset.promised
+             << (offset.unit.empty() ? "" : " " + offset.unit);
+        before = ", ";
+    }
+    return line.str();
 }
 
 std::vector<std::string> in_words(const JointConformance& found) {
     std::vector<std::string> lines;
-    for (const OffsetEstimate& offset : found.offsets) lines.push_back(in_words(offset));
+    for (const OffsetEstimate& offset : found.offsets) lines.push_back(in_words(offset, found));
     for (const AlternativeFit& other : found.alternatives)
         if (other.is_nearer) lines.push_back(in_words(other));
     return lines;

@@ -13,23 +13,28 @@ namespace {
 struct Key {
     std::string name;
     double FilterPrecision::*value;
+    double FilterPrecision::*other = nullptr;  ///< set as well
+    double share = 1;                          ///< of the number, that the first is set to
 };
 
 const std::vector<Key>& keys() {
-    static const std::vector<Key> all{{"arithmetic_bits", &FilterPrecision::arithmetic_bits},
-                                      {"coordinate_bits", &FilterPrecision::coordinate_bits},
-                                      {"displacement_px", &FilterPrecision::displacement_px},
-                                      {"step_bits", &FilterPrecision::step_bits},
-                                      {"place_bits", &FilterPrecision::place_bits},
-                                      {"weight_bits", &FilterPrecision::weight_bits},
-                                      {"split_bits", &FilterPrecision::split_bits},
-                                      {"lod_bits", &FilterPrecision::lod_bits},
-                                      {"lod_below", &FilterPrecision::lod_below},
-                                      {"lod_above", &FilterPrecision::lod_above},
-                                      {"tap_bits", &FilterPrecision::tap_bits},
-                                      {"sum_bits", &FilterPrecision::sum_bits},
-                                      {"texel_bits", &FilterPrecision::texel_bits},
-                                      {"colour_bits", &FilterPrecision::colour_bits}};
+    static const std::vector<Key> all{
+        {"arithmetic_bits", &FilterPrecision::arithmetic_bits},
+        {"coordinate_bits", &FilterPrecision::coordinate_bits},
+        {"displacement_px", &FilterPrecision::displacement_px},
+        {"step_bits", &FilterPrecision::step_bits},
+        {"place_bits", &FilterPrecision::place_bits},
+        {"weight_bits", &FilterPrecision::weight_bits},
+        {"split_bits", &FilterPrecision::split_bits},
+        {"lod_bits", &FilterPrecision::lod_bits},
+        {"lod_below", &FilterPrecision::lod_below},
+        {"lod_above", &FilterPrecision::lod_above},
+        // Vulkan 1.3, "Scale Factor Operation", admits 1.
+        {"lod_slack", &FilterPrecision::lod_below, &FilterPrecision::lod_above, 0.5},
+        {"tap_bits", &FilterPrecision::tap_bits},
+        {"sum_bits", &FilterPrecision::sum_bits},
+        {"texel_bits", &FilterPrecision::texel_bits},
+        {"colour_bits", &FilterPrecision::colour_bits}};
     return all;
 }
 
@@ -67,7 +72,9 @@ FilterPrecision filter_precision_from_words(const std::vector<std::string>& word
             continue;
         }
         if (key == keys().end()) refuse(word, name);
-        precision.*(key->value) = number(word, word.substr(std::min(equals + 1, word.size())));
+        const double value = number(word, word.substr(std::min(equals + 1, word.size())));
+        precision.*(key->value) = key->share * value;
+        if (key->other != nullptr) precision.*(key->other) = value;
     }
     return precision;
 }

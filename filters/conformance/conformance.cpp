@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -41,40 +42,74 @@ const ColourRange& nearest_range(const LinearRgb& colour, const PermittedColours
     return *nearest;
 }
 
-double width_of(const PermittedColours& permitted) {
-    double sum = 0;
-    for (const ColourRange& range : permitted) {
-        const glm::dvec3 width = range.high - range.low;
-        sum += (width.x + width.y + width.z) / 3;
-    }
+glm::dvec3 widths_of(const PermittedColours& permitted) {
+    glm::dvec3 sum{0};
+    for (const ColourRange& range : permitted) sum += range.high - range.low;
     return sum;
+}
+
+double width_of(const PermittedColours& permitted) {
+    const glm::dvec3 width = widths_of(permitted);
+    return (width.x + width.y + width.z) / 3;
 }
 
 double slack_of(const LinearRgb& colour, const PermittedColours& permitted) {
     return slack_in(colour, nearest_range(colour, permitted));
 }
 
+std::vector<FilterPixel> some_pixels(const Conformance& found, float least_slack) {
+    constexpr std::size_t most = 400;
+    std::vector<FilterPixel> all;
+    for (int y = 0; y < found.slack.size().height; ++y)
+        for (int x = 0; x < found.slack.size().width; ++x)
+            if (found.slack.at(x, y) >= least_slack) all.push_back({x, y});
+    if (all.size() <= most) return all;
+    std::vector<FilterPixel> some;
+    for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * all.size() / most]);
+    return some;
+}
+
+std::vector<bool> have_pixels_outside(std::span<const Picture> pictures, const PixelReference& reference,
+                                      const FilterPrecision& precision) {
+    if (pictures.empty()) return {};
+    std::vector<std::atomic<bool>> is_outside(pictures.size());
+    const Resolution size = pictures.front().size();
+    tbb::parallel_for(0, size.height, [&](int y) {
+        for (int x = 0; x < size.width; ++x) {
+            if (std::ranges::all_of(is_outside, [](const std::atomic<bool>& is) { return is.load(); }))
+                return;
+            const PermittedColours permitted = reference(x, y, precision);
+            for (std::size_t i = 0; i < pictures.size(); ++i)
+                if (!is_outside[i] && slack_of(pictures[i].at(x, y), permitted) > 1) is_outside[i] = true;
+        }
+    });
+    return {is_outside.begin(), is_outside.end()};
+}
+
 Conformance conformance(const Picture& picture, const PixelReference& reference,
                         const FilterPrecision& precision) {
     const Resolution size = picture.size();
     Conformance found{.judged = size.pixel_count(), .worst = {}, .where = {}, .slack = Plane<float>{size}};
-    Plane<double> width{size};
+    Plane<glm::dvec3> width{size};
+    found.width = Plane<glm::vec3>{size};
     tbb::parallel_for(0, size.height, [&](int y) {
         for (int x = 0; x < size.width; ++x) {
             const PermittedColours permitted = reference(x, y, precision);
             const double slack = slack_of(picture.at(x, y), permitted);
             found.slack.at(x, y) = slack > 1 ? std::nextafter(float(slack), float(inf)) : float(slack);
-            width.at(x, y) = width_of(permitted);
+            width.at(x, y) = widths_of(permitted);
+            found.width.at(x, y) = glm::vec3{width.at(x, y)};
         }
     });
-    double widths = 0;
+    glm::dvec3 widths{0};
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {
             const double slack = double{found.slack.at(x, y)};
-            if (std::isinf(width.at(x, y)))
+            const glm::dvec3& w = width.at(x, y);
+            if (!std::isfinite(w.x + w.y + w.z))
                 ++found.anything;
             else
-                widths += width.at(x, y);
+                widths += w;
             if (slack > found.worst_slack) found.worst_slack = slack, found.worst = {x, y};
             if (!(slack > 1)) continue;
             ++found.outside;
@@ -84,7 +119,8 @@ Conformance conformance(const Picture& picture, const PixelReference& reference,
             found.where->last.y = y;
         }
     }
-    found.mean_width = widths / double(std::max<std::uint64_t>(found.judged - found.anything, 1));
+    found.mean_width_of = widths / double(std::max<std::uint64_t>(found.judged - found.anything, 1));
+    found.mean_width = (found.mean_width_of.x + found.mean_width_of.y + found.mean_width_of.z) / 3;
     return found;
 }
 

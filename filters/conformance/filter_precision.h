@@ -13,6 +13,12 @@ namespace zproof {
 enum class StepRule {
     analytic,          ///< of the surface's plane, at the pixel's centre
     quad_differences,  ///< between the pixel's centre and its neighbour in the aligned 2 x 2 pixels
+    // No promises but hypotheses:
+    forward_differences,       ///< between the pixel's centre and the next one's
+    centred_differences,       ///< between places half a pixel to either side
+    wrapped_quad_differences,  ///< as above, of coordinates that were wrapped first
+    wrapped_forward_differences,
+    wrapped_centred_differences,
 };
 
 /// Weights that are multiples of 2^-bits: of a 2 x 2 read along each axis, and of a blend of two levels.
@@ -45,6 +51,7 @@ struct FilterPrecision {
     double texel_bits = 24;     ///< unit roundoff of stored texels of every level above 0: 11 is float16
     double colour_bits = 24;    ///< unit roundoff of the picture's numbers
     WeightLattice weights_on{};  ///< no promise but a hypothesis: weights are rounded to these alone
+    double level_offset = 0;  ///< another: places within each level lie so many of its texels on, in u and v
 };
 
 }  // namespace zproof

@@ -51,9 +51,9 @@ constexpr FilterPrecision oiio() {
 
 constexpr std::array known{
     FilterPrecisionPreset{
-        "gpu", with_rounded_splits(with_vulkan_lod(with_fractions(8, 22))),
-        "CUDA C++ Programming Guide, Linear Filtering: 9-bit fixed point with 8 bits of fraction; the LOD as "
-        "Vulkan 1.3 permits it; weights of a blend of two levels as measured on an NVIDIA H200"},
+        "gpu", with_rounded_splits(with_fractions(8, 22)),
+        "CUDA C++ Programming Guide, Linear Filtering: 9-bit fixed point with 8 bits of fraction; "
+        "weights of a blend of two levels as measured on an NVIDIA H200"},
     FilterPrecisionPreset{"d3d11", with_fractions(8, 24),
                           "Direct3D 11.3, 7.18.5 and 7.18.16: D3D11_SUBTEXEL_FRACTIONAL_BIT_COUNT and "
                           "D3D11_MIP_LOD_FRACTIONAL_BIT_COUNT are 8"},

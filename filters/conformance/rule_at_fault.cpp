@@ -46,19 +46,6 @@ FilterPrecision relaxed(const FilterPrecision& declared, FilterRule rule, double
     return p;
 }
 
-/// Some of the pixels with at least that slack, taken evenly in raster order.
-std::vector<FilterPixel> some_pixels(const Conformance& found, float least_slack) {
-    constexpr std::size_t most = 400;
-    std::vector<FilterPixel> all;
-    for (int y = 0; y < found.slack.size().height; ++y)
-        for (int x = 0; x < found.slack.size().width; ++x)
-            if (found.slack.at(x, y) >= least_slack) all.push_back({x, y});
-    if (all.size() <= most) return all;
-    std::vector<FilterPixel> some;
-    for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * all.size() / most]);
-    return some;
-}
-
 struct ShownPixel {
     FilterPixel at;
     LinearRgb colour;

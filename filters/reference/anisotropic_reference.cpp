@@ -26,9 +26,10 @@ ColourRange read_line(const Levels& levels, const FilterQuery& q, const TexelInt
                       const Line& line, Placement placement) {
     const Interval level = level_of_line(levels, q, line);
     const double error = std::exp2(-q.precision.tap_bits);
+    const int count = line.taps + levels.settings().more_taps;
     std::vector<LineTap> taps;
-    for (int i = 1; i <= line.taps; ++i) {
-        const double at = placement(i, line.taps);
+    for (int i = 1; i <= count; ++i) {
+        const double at = placement(i, count);
         taps.push_back({widen(Interval{at}, error + 0x1p-52), Interval{1}});
     }
     return mean_along(centre, line.whole, taps, [&](const TexelInterval& place) {
@@ -45,12 +46,13 @@ ColourRange read_projective(const Levels& levels, const FilterQuery& q, const Li
                             Placement placement) {
     const Interval level = level_of_line(levels, q, line);
     const double error = std::exp2(-q.precision.tap_bits);
+    const int count = line.taps + levels.settings().more_taps;
     std::vector<ColourRange> colours;
-    for (int i = 1; i <= line.taps; ++i) {
+    for (int i = 1; i <= count; ++i) {
         const auto seen_at = [&](double along) {
             return glm::dvec2{q.x + 0.5, q.y + 0.5} + along * line.whole_raster;
         };
-        const double at = placement(i, line.taps);
+        const double at = placement(i, count);
         const TexelInterval place = q.seen.between(seen_at(at - error), seen_at(at + error));
         colours.push_back(levels.trilinear(level, place, q.precision));
     }

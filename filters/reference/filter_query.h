@@ -19,6 +19,9 @@ enum class LevelFormat {
     float16_throughout  ///< and level 0
 };
 
+/// Where codes are made linear light. All but the first are wrong.
+enum class Decoding { before_filtering, after_filtering, never, twice };
+
 /// What a user may set of a method.
 struct Settings {
     WrapRules wrap;
@@ -33,6 +36,8 @@ struct Settings {
         given_levels{};      ///< 1 and on; null: made by kernel
     double texel_bits = 24;  ///< unit roundoff of levels above 0
     LevelFormat format = LevelFormat::float32;
+    Decoding decoding = Decoding::before_filtering;
+    int more_taps = 0;  ///< along a line than the definition has
     /// Whose triangles show the texture, its image of this index; null: not known.
     const Scene* scene = nullptr;
     int image = 0;

@@ -4,6 +4,7 @@
 
 #include "filters/reference/colour_range_sums.h"
 #include "math/rounding.h"
+#include "math/srgb.h"
 
 namespace zproof::oracle {
 
@@ -11,8 +12,24 @@ namespace {
 
 using namespace filter_reference;
 
-texture::LinearImage linear(const Image& image) {
-    return texture::linear_image({image.width, image.height, image.texels});
+texture::LinearImage decoded(const Image& image, Decoding decoding) {
+    texture::LinearImage linear = texture::linear_image({image.width, image.height, image.texels});
+    if (decoding == Decoding::before_filtering) return linear;
+    for (std::size_t i = 0; i < linear.texels.size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+            const double code = image.texels[4 * i + std::size_t(c)] / 255.0;
+            linear.texels[i][c] =
+                float(decoding == Decoding::twice ? decoded_srgb(decoded_srgb(code)) : code);
+        }
+    return linear;
+}
+
+/// The curve rises, so that the ends hold the extremes.
+ColourRange decoded(const ColourRange& codes) {
+    const auto of = [](const glm::dvec3& c) {
+        return glm::dvec3{decoded_srgb(c.x), decoded_srgb(c.y), decoded_srgb(c.z)};
+    };
+    return {of(codes.low), of(codes.high)};
 }
 
 /// What the sums over texels may cost, theirs and ours, where texels lie in [0, 1]. No definition's number of
@@ -73,7 +90,7 @@ const Definition* find_filter_definition(std::string_view name) {
 
 FilterReference::FilterReference(const Scene& scene, const View& view, const Definition& definition,
                                  const FilterSettings& settings, StepRule steps)
-    : scene_(scene), view_(view), steps_(steps) {
+    : scene_(scene), view_(view), steps_(steps), decoding_(settings.decoding) {
     for (const Material& material : scene.materials) {
         const Texture& texture = material.base_color;
         FilterSettings own = settings;
@@ -83,7 +100,8 @@ FilterReference::FilterReference(const Scene& scene, const View& view, const Def
         by_material_.emplace_back();
         draws_.emplace_back();
         if (!is_textured(scene, material)) continue;
-        const texture::LinearImage image = linear(scene.images[std::size_t(texture.image)]);
+        const texture::LinearImage image =
+            decoded(scene.images[std::size_t(texture.image)], settings.decoding);
         by_material_.back() = definition.prepare(image, own);
         if (definition.draws) draws_.back() = definition.draws(image, own);
     }
@@ -107,7 +125,9 @@ PermittedColours FilterReference::of_surface(int x, int y, PrimitiveId seen,
     try {
         const SeenTexture texture{view_, textured_triangle(scene_, std::uint32_t(seen)), precision};
         PermittedColours permitted = reference({texture, x, y, steps_, precision});
-        for (ColourRange& range : permitted) range = as_shown(range, factor, precision);
+        for (ColourRange& range : permitted)
+            range =
+                as_shown(decoding_ == Decoding::after_filtering ? decoded(range) : range, factor, precision);
         return permitted;
     } catch (const UndecidedSign&) {
         return anything();

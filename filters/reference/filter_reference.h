@@ -48,6 +48,7 @@ class FilterReference {
     const Scene& scene_;
     const View& view_;
     StepRule steps_;
+    filter_reference::Decoding decoding_;
     std::vector<filter_reference::MethodReference> by_material_;  ///< empty where a material has no texture
     std::vector<filter_reference::DrawReference> draws_;          ///< the same of a stochastic definition
 };

@@ -107,7 +107,7 @@ TexelInterval place_in(const IntervalImage& level, const IntervalImage& finest, 
         // An implementation rounds the quotient, the product, the difference of half a texel, and the
         // fraction.
         const double rounding = 4 * unit * (std::max(std::abs(at.low()), std::abs(at.high())) + 1);
-        return widen(at, error + rounding);
+        return widen(at + Interval{precision.level_offset}, error + rounding);
     };
     return {scaled(place.u, level.width, finest.width), scaled(place.v, level.height, finest.height)};
 }

@@ -112,14 +112,36 @@ Interval SeenTexture::before_horizon(int x, int y) const {
     return w - half * (magnitude(w_.exact.a) + magnitude(w_.exact.b));
 }
 
+TexelInterval SeenTexture::wrapped(const TexelInterval& place) const {
+    const auto within = [](const Interval& a, double size) {
+        const double periods = std::floor(a.low() / size);
+        if (std::floor(a.high() / size) != periods) throw UndecidedSign{};
+        return a - Interval{periods * size};
+    };
+    return {within(place.u, triangle_.texture_size.x), within(place.v, triangle_.texture_size.y)};
+}
+
+/// From where to where: the aligned pair of pixels, this one and the next, or half a pixel to either side.
+PixelFootprint SeenTexture::differences(int x, int y, StepRule rule) const {
+    using enum StepRule;
+    const bool is_wrapped = rule >= wrapped_quad_differences;
+    const double cx = x + 0.5, cy = y + 0.5;
+    glm::dvec2 from{(x & ~1) + 0.5, (y & ~1) + 0.5};
+    if (rule == forward_differences || rule == wrapped_forward_differences) from = {cx, cy};
+    if (rule == centred_differences || rule == wrapped_centred_differences) from = {cx - 0.5, cy - 0.5};
+    const auto place = [&](double at_x, double at_y) {
+        return is_wrapped ? wrapped(at(at_x, at_y)) : at(at_x, at_y);
+    };
+    const TexelInterval l = place(from.x, cy), r = place(from.x + 1, cy), t = place(cx, from.y),
+                        b = place(cx, from.y + 1);
+    return {at(cx, cy), {r.u - l.u, r.v - l.v}, {b.u - t.u, b.v - t.v}};
+}
+
 PixelFootprint SeenTexture::footprint(int x, int y, StepRule rule) const {
     const double cx = x + 0.5, cy = y + 0.5;
     PixelFootprint f{at(cx, cy), {}, {}};
-    if (rule == StepRule::quad_differences) {
-        const double left = (x & ~1) + 0.5, top = (y & ~1) + 0.5;
-        const TexelInterval l = at(left, cy), r = at(left + 1, cy), t = at(cx, top), b = at(cx, top + 1);
-        f.per_x = {r.u - l.u, r.v - l.v};
-        f.per_y = {b.u - t.u, b.v - t.v};
+    if (rule != StepRule::analytic) {
+        f = differences(x, y, rule);
     } else {
         const Interval around{-displacement_px_, displacement_px_};
         const Interval w = hull(value(w_, cx, cy), w_.exact.at(Interval{cx} + around, Interval{cy} + around));

@@ -89,6 +89,9 @@ class SeenTexture {
     /// Change of the place per pixel in x or in y, where the place and W are known.
     TexelInterval step(const TexelInterval& place, const Interval& w, Interval Affine<Interval>::*along,
                        Magnitude Affine<Magnitude>::*along_size) const;
+    /// Throws UndecidedSign where a place may lie on either side of a seam.
+    TexelInterval wrapped(const TexelInterval& place) const;
+    PixelFootprint differences(int x, int y, StepRule rule) const;
     TexelInterval undisplaced(double x, double y) const;
 
     const View& view_;  ///< must outlive this

@@ -4,15 +4,11 @@
 
 namespace zproof::selftest {
 
-namespace {
-
 const oracle::filter_reference::Definition& definition_of(const std::string& method) {
     const auto* definition = oracle::find_filter_definition(method);
     if (definition == nullptr) throw std::logic_error("no reference for the method '" + method + "'");
     return *definition;
 }
-
-}  // namespace
 
 oracle::FilterSettings reference_settings(const texture::FilterOptions& o, const FilterPrecision& promise) {
     using oracle::filter_reference::ChainKernel;

@@ -17,6 +17,9 @@ oracle::FilterSettings reference_settings(const texture::FilterOptions& options,
 FilterPrecision filter_precision(const texture::FilterOptions& options);
 StepRule step_rule(texture::Derivatives derivatives);
 
+/// The filter reference of a method. Throws std::logic_error where it has none.
+const oracle::filter_reference::Definition& definition_of(const std::string& method);
+
 /// What a picture claims to be.
 struct FilterClaim {
     std::string method;

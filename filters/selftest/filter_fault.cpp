@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "filters/methods/catalogue.h"
+#include "filters/selftest/likely_cause.h"
 
 namespace zproof::selftest {
 
@@ -83,9 +84,16 @@ class Round {
 
     void fault(const FilterFault& fault) {
         if (!begins(fault.name)) return;
-        const ConformanceResult result = try_filter_fault(fault, fixture_of(fault.ground));
+        const FilterFixture& fixture = fixture_of(fault.ground);
+        const FilterClaim claim{
+            .method = fault.method, .options = fault.options, .precision = filter_precision(fault.options)};
+        const Picture picture =
+            fault.inject(fixture, {.method = *texture::find_method(fault.method), .options = fault.options});
+        const ConformanceResult result = conformance_of(picture, fixture, claim);
+        const std::vector<std::string> causes = causes_of(picture, ChangedDefinitions{fixture, claim}, claim,
+                                                          result.found, likely_changes(fixture.scene, claim));
         tell(result.is_caught() ? "caught" : "MISSED", fault.name,
-             in_words(result) + " (" + fault.sentence + ")");
+             in_words(result) + causes_in_words(causes) + " (" + fault.sentence + ")");
         ++score_.faults;
         score_.caught += result.is_caught();
     }
