@@ -41,7 +41,7 @@ void visit_fields(RasterPrecision& p, const Visit& visit) {
     visit("depth_interpolation", p.depth_interpolation);
     visit("interpolation", p.interpolation);
     visit("linearization", p.linearization);
-    visit("depth_roundings", p.depth_roundings, Limits{0, 1000});
+    visit("depth_roundings", p.depth_roundings, Limits{0, 10000});
     visit("shown_depth", p.shown_depth);
     visit("depth_step", p.depth_step, length);
 }

@@ -55,6 +55,11 @@ double decide(TileWork& work, const PixelQuery& query, const AnswerCheck& check,
     return check.is_invalid ? 0 : work.decide(query, searched_px, decision);
 }
 
+/// What is decided of an answer may bound its depth.
+void hold(AnswerCheck& check, const QueryResult& decided) {
+    check.is_depth_admissible &= !(check.answer.camera_depth > decided.farthest_depth);
+}
+
 }  // namespace
 
 bool is_behind_the_eye(float depth, const View& view) { return depth < 0 && view.camera.near_depth >= 0; }
@@ -90,8 +95,8 @@ void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixel
                     std::max(needed_px, decide(work, query_of(frames.reference, pixel.reference),
                                                pixel.reference, searched_px, pixel.reference_decision));
             if (needed_px > 0) return needed_px;
-            pixel.candidate.is_depth_admissible &=
-                !(pixel.candidate.answer.camera_depth > pixel.candidate_decision.farthest_depth);
+            hold(pixel.candidate, pixel.candidate_decision);
+            hold(pixel.reference, pixel.reference_decision);
         }
         pixel.wrong_attribute = attributes.first_wrong(place);
         tell(i, pixel);
@@ -125,7 +130,10 @@ Finding finding_of(const FramePair& frames, const PixelCheck& pixel, const Pixel
                            : check_depth_of(frames, frames.candidate, candidate, place);
     if (depth.bound.high > pixel.candidate_decision.farthest_depth) {
         depth.bound.high = pixel.candidate_decision.farthest_depth;
-        depth.error_over_bound = error_over_bound(depth.bound, candidate.camera_depth);
+        const auto [low, truth, high] = depth.bound;
+        // nobody may show the true depth where that is hidden: an error counts from the middle
+        depth.error_over_bound =
+            error_over_bound({low, truth > high ? (low + high) / 2 : truth, high}, candidate.camera_depth);
     }
     return {.x = place.x,
             .y = place.y,

@@ -137,18 +137,29 @@ std::size_t TileWork::count_within(const PixelQuery& query, double reach_px) {
     return count;
 }
 
-/// What is shown is what was compared. Where nothing bounds an answer's depth, that must not lie behind what
-/// covers the pixel for certain: the farthest depth that does not.
-double TileWork::farthest_depth(const PixelQuery& query) {
+/// Is one end of what it may hold for its depth open?
+bool is_open(const Neighbour& n, Projection projection) {
+    return n.greatest_inverse_depth == unlimited ||
+           n.least_inverse_depth <= (projection == Projection::perspective ? 0 : -unlimited);
+}
+
+/// What is shown is what was compared. Where only the depth bounds admit an answer, and where its own is
+/// open, that must not lie behind what covers the pixel for certain: the farthest depth that does not.
+double TileWork::farthest_depth(const PixelQuery& query, Admissibility admissibility) {
     const auto answer = around_.index_of(query.answer);
     if (std::isnan(query.depth) || !answer) return unlimited;
-    if (around_.neighbours[*answer].greatest_inverse_depth < unlimited) return unlimited;
+    if (admissibility != Admissibility::tied &&
+        !is_open(around_.neighbours[*answer], setting_.view.camera.projection))
+        return unlimited;
     std::vector<double> inverse_depths{query.bounds->compared_at(query.depth).greatest};
     for (const Neighbour& n : around_.neighbours)  // behind which something may hide it
         if (n.least_inverse_depth > inverse_depths.front()) inverse_depths.push_back(n.least_inverse_depth);
+    if (inverse_depths.size() == 1) return unlimited;
     std::ranges::sort(inverse_depths);
     const auto is_hidden = [&](double inverse_depth) {
-        return !may_lie_at(inverse_depth, around_, query.answer, coplanar_);
+        const DepthDecision found = may_lie_at(inverse_depth, around_, query.answer, coplanar_);
+        take(found.work + around_.neighbours.size() / neighbours_per_cut, work_left_);
+        return !found.may_lie_there;
     };
     if (!is_hidden(inverse_depths.front())) return unlimited;
     const auto here = std::ranges::partition_point(inverse_depths, is_hidden);
@@ -163,7 +174,8 @@ void TileWork::decide_around(const PixelQuery& query, QueryResult& adjudicated) 
     around_.most_work = std::min(most_work, work_left_);
     adjudicated = {.decision = zproof::decide(around_, query.answer, coplanar_)};
     take(adjudicated.decision.work + at_least, work_left_);
-    if (is_admissible(adjudicated.decision.admissibility)) adjudicated.farthest_depth = farthest_depth(query);
+    if (is_admissible(adjudicated.decision.admissibility))
+        adjudicated.farthest_depth = farthest_depth(query, adjudicated.decision.admissibility);
     if (setting_.asked != QueryDetail::displacement || query.reason == AskedReason::any) return;
     if (adjudicated.decision.admissibility != Admissibility::visible) return;
     if (!take(at_least, displacement_work_left_)) return;

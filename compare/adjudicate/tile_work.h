@@ -63,7 +63,7 @@ class TileWork {
     std::size_t count_within(const PixelQuery& query, double reach_px);
     void gather(double reach_px);
     void add_answer(const PixelQuery& query);
-    double farthest_depth(const PixelQuery& query);
+    double farthest_depth(const PixelQuery& query, Admissibility admissibility);
     void decide_around(const PixelQuery& query, QueryResult& adjudicated);
     bool reaches_a_side() const;
 

@@ -83,26 +83,30 @@ Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& 
     return decide_by_region(around, answer, coplanar);
 }
 
-bool may_lie_at(double inverse_depth, const Neighbourhood& around, PrimitiveId answer,
-                CoplanarCache& coplanar) {
+DepthDecision may_lie_at(double inverse_depth, const Neighbourhood& around, PrimitiveId answer,
+                         CoplanarCache& coplanar) {
     const std::optional<size_t> index = around.index_of(answer);
-    if (!index) return true;
+    if (!index) return {};
     Neighbourhood there = around;
     there.neighbours[*index].greatest_inverse_depth = inverse_depth;
     for (Neighbour& n : there.neighbours)
         n.may_be_missing |=
             n.triangle != there.neighbours[*index].triangle && share_an_edge(n, there.neighbours[*index]);
-    const auto is_held = [&]<class Number>(AdmissibleSet<Number> set) {
+    const auto is_held = [&]<class Number>(AdmissibleSet<Number>& set) {
         try {
             return set.holds(*index, {DepthRule::bounded, set.edge_rule()}) || set.holds(*index, by_crack);
         } catch (const TooMuchWork&) {
             return true;
         }
     };
+    AdmissibleSet<Interval> fast(there, coplanar);
     try {
-        return is_held(AdmissibleSet<Interval>(there, coplanar));
+        const bool may_lie_there = is_held(fast);
+        return {may_lie_there, fast.work()};
     } catch (const UndecidedSign&) {
-        return is_held(AdmissibleSet<LazyRational>(there, coplanar));
+        AdmissibleSet<LazyRational> exact(there, coplanar);
+        const bool may_lie_there = is_held(exact);
+        return {may_lie_there, fast.work() + exact.work()};
     }
 }
 

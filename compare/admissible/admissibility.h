@@ -38,11 +38,15 @@ struct Decision {
 /// none. In double, then by intervals, then by rationals.
 Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar);
 
-/// May an admissible answer whose depth nothing bounds lie there, or does what covers the pixel for certain
-/// lie in front of that inverse depth? So thin an image may turn over: a neighbour that has an edge of it
-/// comes to lie beside it then, and hides none of it. True where it would take too much work.
-bool may_lie_at(double inverse_depth, const Neighbourhood& around, PrimitiveId answer,
-                CoplanarCache& coplanar);
+/// May an admissible answer lie there, or does what covers the pixel for certain lie in front of that inverse
+/// depth? An image so thin that nothing bounds its depth may turn over: a neighbour that has an edge of it
+/// comes to lie beside it then, and hides none of it. Yes where it would take too much work.
+struct DepthDecision {
+    bool may_lie_there = true;
+    std::size_t work = 0;  ///< that it took
+};
+DepthDecision may_lie_at(double inverse_depth, const Neighbourhood& around, PrimitiveId answer,
+                         CoplanarCache& coplanar);
 
 /// The class of a pixel at which the two renderers gave different, each by itself judged, answers.
 PixelClass class_of(Admissibility candidate, Admissibility reference);

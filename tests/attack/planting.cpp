@@ -18,19 +18,52 @@ float depth_shown(const ExactScene& scene, std::size_t triangle, const Place<dou
     return float(scene.depth(std::clamp(front, least.front, greatest.front)));
 }
 
+/// How far the corners of what is left of a triangle move, in x or in y; none where their number changes.
+std::optional<Number> moved_px(const ExactImage& from, const ExactImage& to) {
+    if (from.size() != to.size()) return std::nullopt;
+    Number farthest = 0;
+    for (std::size_t i = 0; i < from.size(); ++i)
+        farthest = std::max<Number>(
+            {farthest, absolute<Number>(from[i].x - to[i].x), absolute<Number>(from[i].y - to[i].y)});
+    return farthest;
+}
+
+/// The same of every triangle, where near and far err by a share of their depth.
+std::vector<std::optional<Number>> moved_by_planes_px(const Trial& trial, double share) {
+    const ExactScene& truth = trial.truth();
+    std::vector<std::optional<Number>> moved(truth.size(), Number(0));
+    const auto take = [&](const Number& of_near, const Number& of_far) {
+        const View& view = truth.view();
+        Planes planes = planes_of(view);
+        planes.near += absolute(planes.near) * of_near;
+        if (planes.far) *planes.far += absolute(*planes.far) * of_far;
+        const ExactScene there(trial.scene().scene, view, planes);
+        for (std::size_t t = 0; t < truth.size(); ++t) {
+            const auto px = moved_px(truth.left_by_planes(t), there.left_by_planes(t));
+            if (moved[t]) moved[t] = px ? std::optional(std::max<Number>(*moved[t], *px)) : std::nullopt;
+        }
+    };
+    for (const int near_end : {-1, 1})
+        for (const int far_end : {-1, 1}) take(near_end * Number(share), far_end * Number(share));
+    return moved;
+}
+
 }  // namespace
 
 WrongPlaces::WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing)
     : trial_(trial),
       depth_relative_(depth_relative),
       sharing_(sharing),
+      moved_by_planes_px_(sharing == Sharing::apart ? moved_by_planes_px(trial, depth_relative)
+                                                    : std::vector<std::optional<Number>>{}),
       at_(trial.right().size(), {}),
       may_be_shown_(trial.right().size(), {}) {
     for (int y = 0; y < at_.size().height; ++y)
         for (int x = 0; x < at_.size().width; ++x) find(x, y);
 }
 
-/// How far its sides, and the diagonals along which it may come apart, are from p, which it covers.
+/// How far its sides, and the diagonals along which it may come apart, are from p, which it covers. Nothing
+/// where these may lie anywhere.
 Number WrongPlaces::held_within(std::size_t triangle, const ExactPlace& p) const {
     Number least = inset_of(trial_.truth().image(triangle), p);
     if (sharing_ == Sharing::alike) return least;
@@ -38,12 +71,14 @@ Number WrongPlaces::held_within(std::size_t triangle, const ExactPlace& p) const
     for (std::size_t i = 0; i < left.size(); ++i)
         for (std::size_t k = i + 2; k < left.size(); ++k)
             least = std::min<Number>(least, distance_to_side(left[i], left[k], p));
-    return least;
+    const std::optional<Number>& moved_px = moved_by_planes_px_[triangle];
+    return moved_px && *moved_px < least ? Number(least - *moved_px) : Number(0);
 }
 
 double WrongPlaces::roughly_held(std::size_t triangle, int x, int y) const {
     const ExactScene& scene = trial_.truth();
-    if (sharing_ == Sharing::apart && scene.left_by_planes(triangle).size() > 3)
+    if (sharing_ == Sharing::apart &&
+        (scene.left_by_planes(triangle).size() > 3 || moved_by_planes_px_[triangle] != Number(0)))
         return double(held_within(triangle, place_of(scene.view(), x, y)));
     return inset_of(scene.rounded(triangle), rounded_place_of(scene.view(), x, y));
 }

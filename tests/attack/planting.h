@@ -32,7 +32,8 @@ struct WrongPlace {
 class WrongPlaces {
   public:
     /// Depths may err by a share of `depth_relative`, and a plane counts all over the square. Where pieces of
-    /// a triangle that is cut move apart, a gap may open along any of its diagonals.
+    /// a triangle that is cut move apart, a gap may open along any of its diagonals. These end where near and
+    /// far cut, which err as depths do.
     WrongPlaces(const Trial& trial, double depth_relative, Sharing sharing);
 
     /// Least displacements needed, of all pixels, in order.
@@ -61,6 +62,9 @@ class WrongPlaces {
     const Trial& trial_;
     double depth_relative_;
     Sharing sharing_;
+    /// How far what is left of a triangle moves with near and far, where they err as depths may. None: it may
+    /// have more corners then, or fewer.
+    std::vector<std::optional<Number>> moved_by_planes_px_;
     Plane<std::vector<WrongPlace>> at_;
     Plane<std::vector<std::uint32_t>> may_be_shown_;  ///< triangles that cover the centre, and are not hidden
 };

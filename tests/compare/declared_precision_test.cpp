@@ -165,7 +165,13 @@ TEST(DepthRounding, DecidesWhichDepthsAreTold) {
     answer(t.candidate, 0, 0, 1, 4 + 1.5 * step);
     RasterPrecision p = with_buffer(DepthBuffer::standard_z, DepthFormat::unorm16);
     t.candidate_precision = p;
-    EXPECT_EQ(t.class_at(0, 0), PixelClass::depth_tie) << "either step may be taken";
+    EXPECT_EQ(t.class_at(0, 0), PixelClass::wrong_depth) << "the wall is a step farther at most";
+    for (const double steps : {0.51, 0.99}) {
+        answer(t.candidate, 0, 0, 1, 4 + steps * step);
+        EXPECT_EQ(t.class_at(0, 0), PixelClass::depth_tie) << "either step may be taken";
+    }
+    answer(t.candidate, 0, 0, 1, 4 + 1.01 * step);
+    EXPECT_EQ(t.class_at(0, 0), PixelClass::wrong_depth);
     for (const DepthRounding rounding : {DepthRounding::nearest, DepthRounding::truncate}) {
         p.depth_rounding = rounding;
         t.candidate_precision = p;

@@ -82,6 +82,21 @@ TEST(HeldToThePromise, AZBuffersDepthOfASliverIsNotThatOfTheNeighbourItIsFoldedB
     }
 }
 
+/// So is a sliver's whose plane tells how near it is at least, but not how far.
+TEST(HeldToThePromise, AZBuffersDepthThatMayBeInfiniteIsOneThatPassedItsTest) {
+    TestScene t(Projection::perspective, 4, 4, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.501, 8, 8}}}, wall(16)});
+    t.candidate_precision = precision_from_word("d3d11");
+    answer_everywhere(t.reference, 1, 16);
+    const ViewBounds bounds(t.view, t.candidate_precision);
+    const Neighbour sliver = neighbour_of(ViewRay<double>(t.view, 1, 1), bounds, corners_of(t.scene, 0));
+    EXPECT_LT(sliver.least_inverse_depth, 0);
+    EXPECT_LT(sliver.greatest_inverse_depth, 1.5);
+    for (const double depth : {2.0, 15.9, 16.0})
+        EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::edge) << depth;
+    for (const double depth : {0.6, 16.1, 99.0})
+        EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::wrong_depth) << depth;
+}
+
 /// In steps, half of one is added to what passed its test and to the planes, and no more.
 TEST(HeldToThePromise, ADepthOfATriangleEdgeOnMayBeHalfAStepBeyondWhatHoldsIt) {
     TestScene t(Projection::perspective, 4, 4, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}, wall(16)});

@@ -213,6 +213,21 @@ TEST(AnAreasEpsilon, MayMakeValuesSmaller) {
     EXPECT_TRUE(pixel.is_wrong(uv_u, {1e30, 0.5}));
 }
 
+/// `rcpps` is off by a share of 1.5 2^-12, as many roundings as 6144; both sums of a value may be divided so.
+TEST(ApproximateReciprocals, CountAsRoundings) {
+    constexpr double error = 1.5 / 4096;
+    RasterPrecision promise{.interpolation = Arithmetic::float64, .depth_roundings = 6144};
+    OnePixel pixel(Projection::perspective, wall(4), promise);
+    pixel.t.scene.vertices.uv = {{glm::vec2(1), glm::vec2(1), glm::vec2(1)}};
+    for (const double value : {1 + error, 1 - error, 1 + 1.99 * error, 1 - 1.99 * error})
+        EXPECT_FALSE(pixel.is_wrong(uv_u, {value, 1})) << value;
+    for (const double value : {1 + 2.02 * error, 1 - 2.02 * error})
+        EXPECT_TRUE(pixel.is_wrong(uv_u, {value, 1})) << value;
+    promise.depth_roundings = 2;
+    pixel.precision = promise;
+    EXPECT_TRUE(pixel.is_wrong(uv_u, {1 + error / 100, 1}));
+}
+
 TEST(ADepthThatMayBeAnything, PromisesNoAttributes) {
     OnePixel pixel(Projection::perspective, wall(4), BoundedPrecision{.eps_px = step, .depth_relative = 1});
     EXPECT_FALSE(pixel.is_wrong(uv_u, {1e30, 0}));

@@ -76,6 +76,13 @@ struct Shown {
     }
 };
 
+/// Is one end open of what it may hold for its depth?
+bool is_open(const View& view, const Neighbour& n) {
+    const bool is_perspective = view.camera.projection == Projection::perspective;
+    return std::isinf(n.greatest_inverse_depth) || std::isinf(n.least_inverse_depth) ||
+           (is_perspective && n.least_inverse_depth <= 0);
+}
+
 /// One answer, from the rules alone: is it one, is its depth admissible, and is it?
 struct Alone {
     bool is_invalid = false, has_depth = true;
@@ -103,7 +110,13 @@ Alone alone(const Shown& s, const Frame& frame, const ViewBounds& bounds, const 
     if (a.is_invalid || !differs) return a;
     CoplanarCache coplanar(16);
     const double own = own_eps_px(s.scene, s.view, bounds, place, id);
-    a.decision = decide(surroundings(s.scene, s.view, bounds, place, own), id, coplanar);
+    const Neighbourhood around = surroundings(s.scene, s.view, bounds, place, own);
+    a.decision = decide(around, id, coplanar);
+    const auto answer = around.index_of(id);
+    const bool rests_on_depth = a.decision.admissibility == Admissibility::tied ||
+                                (answer && is_open(s.view, around.neighbours[*answer]));
+    if (is_admissible(a.decision.admissibility) && rests_on_depth)
+        a.has_depth &= may_lie_at(bounds.compared_at(z).greatest, around, id, coplanar).may_lie_there;
     return a;
 }
 
