@@ -91,6 +91,8 @@ struct FiltersExplainArguments {
     std::vector<FilterChoice> methods;  ///< at least one
     oracle::Reconstruction truth = oracle::Reconstruction::nearest;
     std::optional<int> width, height;  ///< pixels; none: the scene's own
+    std::filesystem::path picture;     ///< somebody's own, that claims to be of the one method; empty: none
+    PictureClaim claim;                ///< of that picture
 };
 
 /// Frames that zproof render wrote, to be shown as a filter reads their textures.
@@ -126,7 +128,7 @@ struct FiltersWords {
     std::string filter, sample;
     FiltersSelftestArguments selftest;
     FiltersExplainArguments explain;
-    std::string explained_methods, explained_pixel, explained_truth = "N";
+    std::string explained_methods, explained_pixel, explained_truth = "N", explained_promise;
 };
 
 /// "all" and methods with settings, separated by commas, each as `choice` understands it. Throws UsageError.

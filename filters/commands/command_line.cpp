@@ -201,9 +201,13 @@ void add_explain(CLI::App& app, FiltersWords& words) {
     app.add_option("--methods,--method", words.explained_methods, "names with settings, separated by commas")
         ->type_name("METHODS")
         ->required();
+    app.add_option("--picture", explain.picture,
+                   "what this picture (.exr) has there, beside what the one method permits");
+    add_precision(app, words.explained_promise);
     add_truth(app, words.explained_truth);
     add_size(app, explain.width, explain.height);
     add_common(app, explain.common);
+    app.footer("\nExit status: 0 the pixel is explained, and the picture's value is permitted; 1 it is not.");
 }
 
 }  // namespace
@@ -227,11 +231,24 @@ std::vector<FilterChoice> filter_choices(const std::string& words,
 
 namespace {
 
+std::optional<FilterPrecision> chosen_precision(const std::string& words) {
+    if (words.empty()) return {};
+    return filter_precision_from_words(words_of_list(words));
+}
+
 FiltersExplainArguments chosen_explain(FiltersWords& words) {
     FiltersExplainArguments& explain = words.explain;
     explain.pixel = pixel_coord(words.explained_pixel);
     explain.methods = filter_choices(words.explained_methods, study_choice);
     explain.truth = *oracle::reconstruction_of(words.explained_truth);
+    const std::optional<FilterPrecision> promise = chosen_precision(words.explained_promise);
+    if (explain.picture.empty()) {
+        if (promise) throw UsageError{"--precision: expected together with --picture"};
+        return explain;
+    }
+    if (explain.methods.size() != 1) throw UsageError{"--picture: one method is expected"};
+    const FilterChoice& method = explain.methods.front();
+    explain.claim = {method, words.explained_promise, claim_of(method, promise)};
     return explain;
 }
 
@@ -248,11 +265,6 @@ FiltersTableArguments chosen_table(FiltersWords& words) {
     if (!words.table.choice.sort.empty() && words.table.is_pooled)
         throw UsageError{"--sort: --pooled puts the best first by itself"};
     return words.table;
-}
-
-std::optional<FilterPrecision> chosen_precision(const std::string& words) {
-    if (words.empty()) return {};
-    return filter_precision_from_words(words_of_list(words));
 }
 
 FiltersCheckArguments chosen_check(FiltersWords& words) {

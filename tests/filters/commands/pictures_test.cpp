@@ -144,6 +144,44 @@ TEST_F(FilterPictures, ClaimOnlyWhatCanBeChecked) {
     refused({"--claim", "theirs=bilinear", "--precision", "gpuu"}, "did you mean 'gpu'?");
 }
 
+/// The nearest pixel at which nearest and bilinear show different colours.
+std::string telling_pixel(const Picture& nearest, const Picture& bilinear) {
+    for (int y = nearest.size().height - 1; y >= 0; --y)
+        for (int x = 0; x < nearest.size().width; ++x)
+            if (std::abs(nearest.at(x, y).g - bilinear.at(x, y).g) > 0.1f)
+                return std::to_string(x) + "," + std::to_string(y);
+    return "none";
+}
+
+TEST_F(FilterPictures, AreExplainedAtAPixelBesideWhatTheirClaimPermits) {
+    const auto home = folder_.path() / "ours/pictures/worked-phi-0";
+    const std::string pixel =
+        telling_pixel(read_picture(home / "nearest.exr"), read_picture(home / "bilinear.exr"));
+    const auto explained = [&](const Words& words) {
+        return run(folder_, with({"filters", "explain", "worked", "--view", "phi-0", "--width", "32",
+                                  "--height", "32", "--pixel", pixel},
+                                 words));
+    };
+    const Ran right = explained({"--method", "bilinear", "--picture", theirs_});
+    EXPECT_EQ(right.exit_code, 0) << right.err;
+    EXPECT_NE(right.out.find("the picture is within what bilinear permits\n"), std::string::npos)
+        << right.out;
+    EXPECT_NE(right.out.find("  taps "), std::string::npos) << right.out;
+    const Ran wrong =
+        explained({"--method", "nearest", "--picture", theirs_, "--precision", "lod_bits=6", "-q"});
+    EXPECT_EQ(wrong.exit_code, 1) << wrong.err;
+    EXPECT_NE(wrong.out.find("the picture is outside by 0."), std::string::npos) << wrong.out;
+    EXPECT_NE(wrong.out.find(" of what nearest permits, promising lod_bits=6\n"), std::string::npos)
+        << wrong.out;
+    EXPECT_EQ(
+        explained({"--method", "nearest", "--picture", theirs_, "--precision", "weight_bits=0"}).exit_code,
+        1);
+    EXPECT_EQ(explained({"--method", "nearest", "--precision", "gpu"}).exit_code, 2);
+    EXPECT_EQ(explained({"--method", "nearest,bilinear", "--picture", theirs_}).exit_code, 2);
+    EXPECT_EQ(explained({"--method", "oiio-aniso", "--picture", theirs_}).exit_code, 2);
+    EXPECT_EQ(explained({"--method", "nearest", "--picture", "nowhere.exr"}).exit_code, 3);
+}
+
 /// The input's hash is that of the .glb that anybody can write and hash.
 TEST_F(FilterPictures, SayInTheirHeadersWhereTheyComeFrom) {
     const std::string truth = folder_.read("ours/pictures/worked-phi-0/truth.exr");
