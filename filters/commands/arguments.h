@@ -34,6 +34,7 @@ struct FiltersRunArguments {
     std::optional<int> first_row;      ///< study::Plan::first_row; none: the scene's own
     int flicker_steps = 2;             ///< 0: not measured
     bool writes_evidence = false;      ///< filters/commands/evidence_files.h
+    std::optional<CropBox> inspected;  ///< whose every pixel is told in the viewer; none: the worst alone
     std::string typed;                 ///< the command line, quoted for a shell
 };
 
@@ -111,7 +112,7 @@ struct FiltersSelftestArguments {
 
 /// What is bound while a command line is read.
 struct FiltersWords {
-    std::string methods = "all", truth = "N", views, crop, only;
+    std::string methods = "all", truth = "N", views, crop, only, inspected;
     std::vector<std::string> pictures;
     std::string table_columns;
     FiltersRunArguments run;

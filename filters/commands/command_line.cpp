@@ -90,6 +90,11 @@ void add_run(CLI::App& app, FiltersWords& words) {
     add_progress(app, words.run.common);
     app.add_flag("--evidence", words.run.writes_evidence,
                  "error, FLIP, certainty, footprint and region of every pixel as OpenEXR files, too");
+    app.add_option(
+           "--inspect", words.inspected,
+           "X,Y,WIDTH,HEIGHT: what methods read at every pixel of this box, in the viewer; default: at "
+           "the worst pixels")
+        ->type_name("CROP");
     app.add_option("--view", words.views, "names of views, separated by commas; default: all of every scene")
         ->type_name("VIEW");
     app.add_option("--first-row", words.run.first_row,
@@ -178,9 +183,9 @@ std::optional<std::array<int, count>> whole_numbers(const std::string& text,
     return is_right ? std::optional{numbers} : std::nullopt;
 }
 
-CropBox crop_box(const std::string& text) {
+CropBox crop_box(const std::string& option, const std::string& text) {
     const auto numbers = whole_numbers<4>(text, {0, 0, 1, 1});
-    if (!numbers) throw UsageError{"--crop: expected X,Y,WIDTH,HEIGHT in pixels, found '" + text + "'"};
+    if (!numbers) throw UsageError{option + ": expected X,Y,WIDTH,HEIGHT in pixels, found '" + text + "'"};
     const auto [x, y, width, height] = *numbers;
     return {x, y, width, height};
 }
@@ -327,6 +332,7 @@ Command chosen_command(const CLI::App& app, FiltersWords& words) {
         words.run.pictures = chosen_pictures(words);
         words.run.truth = *oracle::reconstruction_of(words.truth);
         words.run.views = words_of_list(words.views);
+        if (!words.inspected.empty()) words.run.inspected = crop_box("--inspect", words.inspected);
         return command_of(words.run, "cannot study the filters");
     }
     if (typed("list")) return command_of(words.list, "cannot list the filters");
@@ -344,7 +350,7 @@ Command chosen_command(const CLI::App& app, FiltersWords& words) {
             "expected "
             "(see: zproof filters --help)"};
     words.figure.labels = words_of_list(words.only);
-    if (!words.crop.empty()) words.figure.crop = crop_box(words.crop);
+    if (!words.crop.empty()) words.figure.crop = crop_box("--crop", words.crop);
     return command_of(words.figure, "cannot draw the figures");
 }
 

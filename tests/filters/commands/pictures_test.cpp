@@ -3,10 +3,12 @@
 
 #include <algorithm>
 
+#include "filters/commands/view_evidence.h"
 #include "filters/report/json.h"
 #include "filters/study/claims.h"
 #include "image_io/image_io.h"
 #include "math/sha256.h"
+#include "program/usage_error.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {
@@ -125,6 +127,31 @@ TEST_F(FilterPictures, ShowWhatTheMethodPermitsThatTheyClaimToBe) {
                               " pixels outside what trilinear-gl:bias=0.5 permits, promising gpu,lod_bits=6";
     EXPECT_NE(ran.out.find("worked / phi-0: " + words), std::string::npos) << ran.out;
     EXPECT_NE(folder_.read("study/filters.html").find(words), std::string::npos);
+}
+
+TEST_F(FilterPictures, AreInspectedInABoxThatTheViewHolds) {
+    const Words worked = with(small, {"worked", "--view", "phi-0", "--inspect"});
+    EXPECT_EQ(run(folder_, with(worked, {"24,31,8,1"})).exit_code, 0);
+    const std::string header = folder_.read("study/pictures/worked-phi-0/planes.zvp").substr(0, 8192);
+    EXPECT_NE(header.find("\"inspected.nearest.31\""), std::string::npos);
+    EXPECT_EQ(header.find("\"inspected.nearest.30\""), std::string::npos);
+    const auto refused = [&](const std::string& box, const std::string& why) {
+        const Ran ran = run(folder_, with(worked, {box}));
+        EXPECT_EQ(ran.exit_code, 2) << ran.err;
+        EXPECT_NE(ran.err.find(why), std::string::npos) << ran.err;
+    };
+    refused("24,31,9,1", "reaches beyond the view 'phi-0', which has 32 x 32 pixels");
+    refused("24,31,8,2", "reaches beyond");
+    refused("24,31,8", "--inspect: expected X,Y,WIDTH,HEIGHT");
+}
+
+TEST(InspectedBox, HasAtMostTwoToTheFifteenPixelsEachMethodCounted) {
+    View view;
+    view.width = view.height = 512;
+    EXPECT_NO_THROW(refuse_unfit_box({0, 0, 256, 128}, 1, view));
+    EXPECT_NO_THROW(refuse_unfit_box({256, 480, 256, 32}, 4, view));
+    EXPECT_THROW(refuse_unfit_box({0, 0, 331, 99}, 1, view), UsageError) << "one more";
+    EXPECT_THROW(refuse_unfit_box({0, 0, 257, 128}, 1, view), UsageError);
 }
 
 TEST_F(FilterPictures, ClaimOnlyWhatCanBeChecked) {
