@@ -34,6 +34,7 @@ struct FiltersRunArguments {
     std::optional<int> first_row;      ///< study::Plan::first_row; none: the scene's own
     int flicker_steps = 2;             ///< 0: not measured
     bool writes_evidence = false;      ///< filters/commands/evidence_files.h
+    std::optional<CropBox> inspected;  ///< whose every pixel is told in the viewer; none: the worst alone
     std::string typed;                 ///< the command line, quoted for a shell
 };
 
@@ -91,6 +92,8 @@ struct FiltersExplainArguments {
     std::vector<FilterChoice> methods;  ///< at least one
     oracle::Reconstruction truth = oracle::Reconstruction::nearest;
     std::optional<int> width, height;  ///< pixels; none: the scene's own
+    std::filesystem::path picture;     ///< somebody's own, that claims to be of the one method; empty: none
+    PictureClaim claim;                ///< of that picture
 };
 
 /// Frames that zproof render wrote, to be shown as a filter reads their textures.
@@ -109,7 +112,7 @@ struct FiltersSelftestArguments {
 
 /// What is bound while a command line is read.
 struct FiltersWords {
-    std::string methods = "all", truth = "N", views, crop, only;
+    std::string methods = "all", truth = "N", views, crop, only, inspected;
     std::vector<std::string> pictures;
     std::string table_columns;
     FiltersRunArguments run;
@@ -126,7 +129,7 @@ struct FiltersWords {
     std::string filter, sample;
     FiltersSelftestArguments selftest;
     FiltersExplainArguments explain;
-    std::string explained_methods, explained_pixel, explained_truth = "N";
+    std::string explained_methods, explained_pixel, explained_truth = "N", explained_promise;
 };
 
 /// "all" and methods with settings, separated by commas, each as `choice` understands it. Throws UsageError.

@@ -9,7 +9,6 @@
 #include "filters/reference/admissible_surfaces.h"
 #include "filters/selftest/filter_fault.h"
 #include "filters/selftest/likely_cause.h"
-#include "oracle/convention/stored_frame.h"
 #include "program/common_arguments.h"
 #include "program/interrupt.h"
 #include "program/study_scenes.h"
@@ -22,8 +21,6 @@ namespace {
 using selftest::ConformanceResult;
 using selftest::FilterClaim;
 using selftest::FilterFixture;
-
-constexpr std::chrono::minutes reading_limit{10};
 
 /// "0 of 262144 pixels outside, slack 0.93"
 std::string found_in_words(const ConformanceResult& result) {
@@ -49,7 +46,7 @@ Picture picture_of(const FilterFixture& fixture, const FilterChoice& choice,
                    const std::filesystem::path& own) {
     if (own.empty())
         return rasterizer::filtered(fixture.scene, fixture.view, fixture.frame, choice.texturing);
-    return oracle::read_stored_picture(own, fixture.view, reading_limit);
+    return picture_in(own, fixture.view);
 }
 
 /// The picture against its promise as a whole, and what the check could have seen of one that passes.

@@ -12,6 +12,12 @@ selftest::FilterClaim claim_of(const FilterChoice& choice, const std::optional<F
             promise.value_or(selftest::filter_precision(texturing.options))};
 }
 
+PermittedFloats permitted_at(const selftest::FilterClaim& claim, const FilterPixel& pixel,
+                             const LinearRgb& colour, const Scene& scene, const View& view) {
+    const selftest::ClaimedReference reference{scene, view, claim};
+    return permitted_floats(colour, reference.at(pixel.x, pixel.y, claim.precision));
+}
+
 PermittedInterval permitted_by(const selftest::FilterClaim& claim, const Picture& picture, const Scene& scene,
                                const View& view) {
     const selftest::ClaimedReference reference{scene, view, claim};

@@ -20,6 +20,10 @@ struct PictureClaim {
 /// no filter reference.
 selftest::FilterClaim claim_of(const FilterChoice& choice, const std::optional<FilterPrecision>& promise);
 
+/// What it permits at one pixel of a picture that has this colour there.
+PermittedFloats permitted_at(const selftest::FilterClaim& claim, const FilterPixel& pixel,
+                             const LinearRgb& colour, const Scene& scene, const View& view);
+
 /// Runs on the threads of the surrounding tbb::task_arena.
 PermittedInterval permitted_by(const selftest::FilterClaim& claim, const Picture& picture, const Scene& scene,
                                const View& view);

@@ -90,6 +90,11 @@ void add_run(CLI::App& app, FiltersWords& words) {
     add_progress(app, words.run.common);
     app.add_flag("--evidence", words.run.writes_evidence,
                  "error, FLIP, certainty, footprint and region of every pixel as OpenEXR files, too");
+    app.add_option(
+           "--inspect", words.inspected,
+           "X,Y,WIDTH,HEIGHT: what methods read at every pixel of this box, in the viewer; default: at "
+           "the worst pixels")
+        ->type_name("CROP");
     app.add_option("--view", words.views, "names of views, separated by commas; default: all of every scene")
         ->type_name("VIEW");
     app.add_option("--first-row", words.run.first_row,
@@ -178,9 +183,9 @@ std::optional<std::array<int, count>> whole_numbers(const std::string& text,
     return is_right ? std::optional{numbers} : std::nullopt;
 }
 
-CropBox crop_box(const std::string& text) {
+CropBox crop_box(const std::string& option, const std::string& text) {
     const auto numbers = whole_numbers<4>(text, {0, 0, 1, 1});
-    if (!numbers) throw UsageError{"--crop: expected X,Y,WIDTH,HEIGHT in pixels, found '" + text + "'"};
+    if (!numbers) throw UsageError{option + ": expected X,Y,WIDTH,HEIGHT in pixels, found '" + text + "'"};
     const auto [x, y, width, height] = *numbers;
     return {x, y, width, height};
 }
@@ -201,9 +206,13 @@ void add_explain(CLI::App& app, FiltersWords& words) {
     app.add_option("--methods,--method", words.explained_methods, "names with settings, separated by commas")
         ->type_name("METHODS")
         ->required();
+    app.add_option("--picture", explain.picture,
+                   "what this picture (.exr) has there, beside what the one method permits");
+    add_precision(app, words.explained_promise);
     add_truth(app, words.explained_truth);
     add_size(app, explain.width, explain.height);
     add_common(app, explain.common);
+    app.footer("\nExit status: 0 the pixel is explained, and the picture's value is permitted; 1 it is not.");
 }
 
 }  // namespace
@@ -227,11 +236,24 @@ std::vector<FilterChoice> filter_choices(const std::string& words,
 
 namespace {
 
+std::optional<FilterPrecision> chosen_precision(const std::string& words) {
+    if (words.empty()) return {};
+    return filter_precision_from_words(words_of_list(words));
+}
+
 FiltersExplainArguments chosen_explain(FiltersWords& words) {
     FiltersExplainArguments& explain = words.explain;
     explain.pixel = pixel_coord(words.explained_pixel);
     explain.methods = filter_choices(words.explained_methods, study_choice);
     explain.truth = *oracle::reconstruction_of(words.explained_truth);
+    const std::optional<FilterPrecision> promise = chosen_precision(words.explained_promise);
+    if (explain.picture.empty()) {
+        if (promise) throw UsageError{"--precision: expected together with --picture"};
+        return explain;
+    }
+    if (explain.methods.size() != 1) throw UsageError{"--picture: one method is expected"};
+    const FilterChoice& method = explain.methods.front();
+    explain.claim = {method, words.explained_promise, claim_of(method, promise)};
     return explain;
 }
 
@@ -248,11 +270,6 @@ FiltersTableArguments chosen_table(FiltersWords& words) {
     if (!words.table.choice.sort.empty() && words.table.is_pooled)
         throw UsageError{"--sort: --pooled puts the best first by itself"};
     return words.table;
-}
-
-std::optional<FilterPrecision> chosen_precision(const std::string& words) {
-    if (words.empty()) return {};
-    return filter_precision_from_words(words_of_list(words));
 }
 
 FiltersCheckArguments chosen_check(FiltersWords& words) {
@@ -315,6 +332,7 @@ Command chosen_command(const CLI::App& app, FiltersWords& words) {
         words.run.pictures = chosen_pictures(words);
         words.run.truth = *oracle::reconstruction_of(words.truth);
         words.run.views = words_of_list(words.views);
+        if (!words.inspected.empty()) words.run.inspected = crop_box("--inspect", words.inspected);
         return command_of(words.run, "cannot study the filters");
     }
     if (typed("list")) return command_of(words.list, "cannot list the filters");
@@ -332,7 +350,7 @@ Command chosen_command(const CLI::App& app, FiltersWords& words) {
             "expected "
             "(see: zproof filters --help)"};
     words.figure.labels = words_of_list(words.only);
-    if (!words.crop.empty()) words.figure.crop = crop_box(words.crop);
+    if (!words.crop.empty()) words.figure.crop = crop_box("--crop", words.crop);
     return command_of(words.figure, "cannot draw the figures");
 }
 

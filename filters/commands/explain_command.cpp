@@ -21,6 +21,16 @@ View view_of(const Loaded& loaded, const FiltersExplainArguments& arguments) {
                      "," + std::to_string(pixel.y) + " (--width, --height)"};
 }
 
+/// What the picture has at the pixel, beside what its claim permits there.
+ClaimedPixel claimed_pixel(const FiltersExplainArguments& arguments, const Scene& scene, const View& view) {
+    const auto& [x, y] = arguments.pixel;
+    const LinearRgb value = picture_in(arguments.picture, view).at(x, y);
+    return {.method = arguments.claim.method.typed,
+            .promise = arguments.claim.promise,
+            .value = value,
+            .permitted = permitted_at(arguments.claim.claim, {x, y}, value, scene, view)};
+}
+
 }  // namespace
 
 ExitCode execute(const FiltersExplainArguments& arguments) {
@@ -31,15 +41,18 @@ ExitCode execute(const FiltersExplainArguments& arguments) {
     const View view = view_of(loaded, arguments);
     std::vector<study::ConfiguredMethod> methods;
     for (const FilterChoice& choice : arguments.methods) methods.push_back(configured(choice));
+    std::optional<ClaimedPixel> claimed;
     on_threads(arguments.common.threads, [&] {
+        if (!arguments.picture.empty()) claimed = claimed_pixel(arguments, loaded.scene, view);
         const Frame frame = oracle::exact_visibility(loaded.scene, view);
         const study::Inspector inspector(loaded.scene, view, frame, arguments.truth);
         for (const study::ConfiguredMethod& method : methods) {
             const study::PixelInspection one = inspector.at(method, {arguments.pixel}).front();
             std::cout << (arguments.common.is_quiet() ? in_a_line(one) : in_words(one));
         }
+        if (claimed) std::cout << (arguments.common.is_quiet() ? in_a_line(*claimed) : in_words(*claimed));
     });
-    return ExitCode::proven;
+    return claimed && is_outside(*claimed) ? ExitCode::defect : ExitCode::proven;
 }
 
 }  // namespace zproof

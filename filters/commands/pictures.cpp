@@ -33,7 +33,7 @@ std::string replaced(std::string text, const std::string& place, const std::stri
 Picture drawn(const PictureChoice& choice, const Scene& scene, const View& view) try {
     if (choice.is_program()) return oracle::External(scene, choice.word, time_limit).render_picture(view);
     const std::string file = replaced(replaced(choice.word, "{scene}", scene.name), "{view}", view.name);
-    return oracle::read_stored_picture(file, view, time_limit);
+    return picture_in(file, view);
 } catch (const OracleError& e) {
     throw study::RendererFailure{e.what()};
 } catch (const FrameError& e) {
@@ -114,6 +114,10 @@ void require_a_file_for_each(const std::vector<PictureChoice>& pictures, std::si
         require(picture, "scene", scenes);
         require(picture, "view", views);
     }
+}
+
+Picture picture_in(const std::filesystem::path& file, const View& view) {
+    return oracle::read_stored_picture(file, view, time_limit);
 }
 
 study::ConfiguredMethod configured(const PictureChoice& choice) {

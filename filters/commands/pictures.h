@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +46,9 @@ void refuse_equal_names(const std::vector<PictureChoice>& pictures, const std::v
 /// Throws UsageError where files are named alike for several scenes, or several views of one.
 void require_a_file_for_each(const std::vector<PictureChoice>& pictures, std::size_t scenes,
                              std::size_t views);
+
+/// Somebody's picture of that view. Throws FrameError where it cannot be read or is of another size.
+Picture picture_in(const std::filesystem::path& file, const View& view);
 
 /// The picture as a method of the study. It throws study::RendererFailure where there is none.
 study::ConfiguredMethod configured(const PictureChoice& choice);

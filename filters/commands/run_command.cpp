@@ -63,6 +63,8 @@ class FilterStudyRun {
             source, {arguments_.width.value_or(natural.width), arguments_.height.value_or(natural.height)});
         const std::vector<View> views = chosen_views(loaded, arguments_.views);
         require_a_file_for_each(arguments_.pictures, 1, views.size());
+        for (const View& view : views)
+            if (arguments_.inspected) refuse_unfit_box(*arguments_.inspected, plan_.methods.size(), view);
         const std::string name = unique_name(loaded.scene.name, source),
                           sha256 = sha256_of(glb_bytes(loaded.scene));
         progress_.expect_more(double(views.size() - 1) * study::work_of(plan_));
@@ -132,8 +134,8 @@ class FilterStudyRun {
                     if (files) files->map(label, metric, map);
                 }};
         study::ViewStudy one = study::study_view(scene, view, plan_, progress_sink);
-        std::move(evidence).write(folder_ / home,
-                                  {facts.word, facts.name, scene, view, plan_, arguments_.pictures});
+        std::move(evidence).write(folder_ / home, {facts.word, facts.name, scene, view, plan_,
+                                                   arguments_.pictures, arguments_.inspected});
         one.truth_file = home + "truth.exr";
         for (study::MethodScore& method : one.methods) {
             method.file = home + file_stem(method.label) + ".exr";

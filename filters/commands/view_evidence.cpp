@@ -8,11 +8,15 @@
 #include "filters/study/inspection.h"
 #include "filters/study/study.h"
 #include "program/shell_line.h"
+#include "program/usage_error.h"
 
 namespace zproof {
 namespace {
 
 constexpr std::size_t most_inspections = 120;  ///< in a view, without those of claimed methods
+
+constexpr std::size_t most_told = std::size_t{1} << 15;  ///< pixels of a box, each method counted
+constexpr int rows_at_once = 16;                         ///< for which a method makes its images once
 
 /// The pixel farthest outside what is permitted; none where all are inside.
 std::vector<PixelCoord> farthest_outside(const ClaimedPicture& claimed) {
@@ -41,6 +45,17 @@ void tell(std::vector<study::PixelInspection>& all, const study::Inspector& insp
 
 }  // namespace
 
+void refuse_unfit_box(const CropBox& box, std::size_t methods, const View& view) {
+    if (box.x + box.width > view.width || box.y + box.height > view.height)
+        throw UsageError{"--inspect: " + in_words(box) + " reaches beyond the view '" + view.name +
+                         "', which has " + std::to_string(view.width) + " x " + std::to_string(view.height) +
+                         " pixels"};
+    const std::size_t told = std::size_t(box.width) * std::size_t(box.height) * methods;
+    if (told > most_told)
+        throw UsageError{"--inspect: " + in_words(box) + " has " + std::to_string(told) +
+                         " pixels, each method counted; at most " + std::to_string(most_told)};
+}
+
 void ViewEvidenceWriter::begin(const study::ViewEvidence& known) {
     planes_.emplace(known);
     truth_ = known.truth;
@@ -64,9 +79,42 @@ void ViewEvidenceWriter::map(const std::string& label, const PictureMetric& metr
     if (planes_ && metric.name == "flip") planes_->add_flip(label, map);
 }
 
-nlohmann::json ViewEvidenceWriter::inspections(const StudiedView& studied) const {
-    const Frame frame = oracle::exact_visibility(studied.scene, studied.view);
-    const study::Inspector inspector(studied.scene, studied.view, frame, studied.plan.truth);
+std::vector<study::ConfiguredMethod> ViewEvidenceWriter::told_methods(const StudiedView& studied) const {
+    std::vector<study::ConfiguredMethod> told;
+    const auto add = [&](const study::ConfiguredMethod& method) {
+        if (std::ranges::find(told, method.label, &study::ConfiguredMethod::label) == told.end())
+            told.push_back(method);
+    };
+    for (const study::MethodPixels& shown : worst_) {
+        const PictureClaim* const claim = find_claim(studied.pictures, shown.label);
+        if (claim)
+            add(configured(claim->method));
+        else if (const auto method =
+                     std::ranges::find(studied.plan.methods, shown.label, &study::ConfiguredMethod::label);
+                 method != studied.plan.methods.end())
+            add(*method);
+    }
+    return told;
+}
+
+void ViewEvidenceWriter::add_inspected(const study::Inspector& inspector, const StudiedView& studied,
+                                       const CropBox& box) {
+    for (const study::ConfiguredMethod& method : told_methods(studied))
+        for (int first = box.y; first < box.y + box.height; first += rows_at_once) {
+            const int last = std::min(first + rows_at_once, box.y + box.height);
+            std::vector<PixelCoord> pixels;
+            for (int y = first; y < last; ++y)
+                for (int x = box.x; x < box.x + box.width; ++x) pixels.push_back({x, y});
+            const std::vector<study::PixelInspection> told = inspector.at(method, pixels);
+            for (int y = first; y < last; ++y) {
+                const auto begin = told.begin() + std::ptrdiff_t(y - first) * box.width;
+                planes_->add_inspected_row(method.label, y, to_json({begin, begin + box.width}));
+            }
+        }
+}
+
+nlohmann::json ViewEvidenceWriter::inspections(const study::Inspector& inspector,
+                                               const StudiedView& studied) const {
     std::vector<study::PixelInspection> all;
     for (const study::ChosenPixels& chosen : study::chosen_pixels(worst_, most_inspections)) {
         const auto method =
@@ -84,7 +132,11 @@ void ViewEvidenceWriter::write(const std::filesystem::path& folder, const Studie
                                 .view = studied.view.name,
                                 .truth = oracle::letters_of(studied.plan.truth),
                                 .explain = explain_command_for(studied)};
-    planes::write(folder / "planes.zvp", std::move(*planes_).container(facts, inspections(studied)));
+    const Frame frame = oracle::exact_visibility(studied.scene, studied.view);
+    const study::Inspector inspector(studied.scene, studied.view, frame, studied.plan.truth);
+    if (studied.inspected) add_inspected(inspector, studied, *studied.inspected);
+    planes::write(folder / "planes.zvp",
+                  std::move(*planes_).container(facts, inspections(inspector, studied)));
 }
 
 std::string explain_command_for(const StudiedView& studied) {

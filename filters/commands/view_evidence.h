@@ -6,7 +6,9 @@
 #include <string>
 
 #include "filters/commands/pictures.h"
+#include "filters/report/crops.h"
 #include "filters/report/evidence_planes.h"
+#include "filters/study/inspection.h"
 #include "filters/study/plan.h"
 #include "filters/study/worst_pixels.h"
 
@@ -19,7 +21,12 @@ struct StudiedView {
     const View& view;
     const study::Plan& plan;
     const std::vector<PictureChoice>& pictures;  ///< of others, among the plan's methods
+    std::optional<CropBox> inspected{};          ///< whose every pixel is told
 };
+
+/// Throws UsageError where the box reaches beyond the view, or has more than 2^15 pixels, each method
+/// counted.
+void refuse_unfit_box(const CropBox& box, std::size_t methods, const View& view);
 
 /// Told by study::ProgressSink, in its order.
 class ViewEvidenceWriter {
@@ -33,7 +40,12 @@ class ViewEvidenceWriter {
     void write(const std::filesystem::path& folder, const StudiedView& studied) &&;
 
   private:
-    nlohmann::json inspections(const StudiedView& studied) const;
+    /// Of the worst pixels.
+    nlohmann::json inspections(const study::Inspector& inspector, const StudiedView& studied) const;
+    /// Adds what is read at every pixel of the box.
+    void add_inspected(const study::Inspector& inspector, const StudiedView& studied, const CropBox& box);
+    /// What pictures are of, or claim to be of.
+    std::vector<study::ConfiguredMethod> told_methods(const StudiedView& studied) const;
 
     std::optional<EvidencePlanes> planes_;
     Picture truth_;

@@ -12,12 +12,22 @@ struct PermittedInterval {
     Picture least, greatest;
 };
 
+/// The interval of one pixel.
+struct PermittedFloats {
+    LinearRgb least, greatest;
+};
+
+PermittedFloats permitted_floats(const LinearRgb& colour, const PermittedColours& permitted);
+
 /// Runs on the threads of the surrounding tbb::task_arena; all of them ask the filter reference.
 PermittedInterval permitted_interval(const Picture& picture, const PixelReference& reference,
                                      const FilterPrecision& precision);
 
-/// How far the colour's worst channel lies outside, in linear light: 0 inside, infinite where it is not
-/// finite or no float32 is permitted.
+/// How far a channel lies outside, in linear light: 0 inside, infinite where it is not finite or no float32
+/// is permitted.
+double distance_outside(float value, float least, float greatest);
+
+/// That of the colour's worst channel.
 double distance_outside(const LinearRgb& colour, const LinearRgb& least, const LinearRgb& greatest);
 
 /// Pixels of the picture that are outside.

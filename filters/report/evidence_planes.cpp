@@ -42,7 +42,10 @@ planes::Block channel_block(const std::string& name, Words values, const planes:
     return planes::beside(name, values, is_grey ? red : truth);
 }
 
+constexpr int page_tiers = 4;
+
 int evidence_tier_of(const std::string& block) {
+    if (block.starts_with("inspected.")) return page_tiers;
     if (block.starts_with("footprint.")) return 3;
     if (block.starts_with("claim.")) return 2;
     if (!block.starts_with("method.")) return 0;
@@ -52,6 +55,7 @@ int evidence_tier_of(const std::string& block) {
 /// "method.LABEL.r" and "claim.LABEL.least.r" belong together; a label may have dots.
 std::string script_of(const std::string& block) {
     if (block.starts_with("footprint.")) return "footprint";
+    if (block.starts_with("inspected.")) return block;
     const bool is_claim = block.starts_with("claim.");
     if (!is_claim && !block.starts_with("method.")) return "view";
     const std::string named = block.substr(block.find('.'));
@@ -130,6 +134,10 @@ void EvidencePlanes::add_flip(const std::string& label, const Plane<double>& fli
     blocks_.push_back(planes::bytes_block("method." + label + ".flip", bytes));
 }
 
+void EvidencePlanes::add_inspected_row(const std::string& label, int row, const nlohmann::json& inspections) {
+    blocks_.push_back(planes::json_block("inspected." + label + "." + std::to_string(row), inspections));
+}
+
 planes::Container EvidencePlanes::container(const FilterViewFacts& facts,
                                             const nlohmann::json& inspections) && {
     blocks_.push_back(planes::json_block("inspections", inspections));
@@ -146,6 +154,6 @@ planes::Container EvidencePlanes::container(const FilterViewFacts& facts,
             std::move(blocks_)};
 }
 
-planes::Tiers evidence_tiers() { return {4, evidence_tier_of, script_of}; }
+planes::Tiers evidence_tiers() { return {page_tiers, evidence_tier_of, script_of}; }
 
 }  // namespace zproof

@@ -36,6 +36,7 @@ struct ClaimedPicture {
 ///     footprint.*       centre and Jacobian, texels of level 0 and texels per pixel
 ///     method.LABEL.r .g .b, method.LABEL.flip    the flip value in 1/255
 ///     claim.LABEL.least.r ...greatest.b    what the claimed method permits, of a picture with a claim
+///     inspected.LABEL.ROW   to_json() of inspection_json.h, of every pixel of that row, where told
 class EvidencePlanes {
   public:
     explicit EvidencePlanes(const study::ViewEvidence& evidence);
@@ -45,6 +46,7 @@ class EvidencePlanes {
     /// The claim is of a picture that was added.
     void add_claim(const ClaimedPicture& claimed);
     void add_flip(const std::string& label, const Plane<double>& flip);
+    void add_inspected_row(const std::string& label, int row, const nlohmann::json& inspections);
 
     /// `inspections`: to_json() of inspection_json.h.
     planes::Container container(const FilterViewFacts& facts, const nlohmann::json& inspections) &&;
@@ -60,7 +62,8 @@ class EvidencePlanes {
 };
 
 /// Blocks of every view first, then pictures, flip maps and claims, Jacobians. What a page has no room for
-/// lies in a script for each picture, one for the Jacobians and one for the rest.
+/// lies in a script for each picture, one for the Jacobians and one for the rest. Inspected rows are in
+/// no page: each lies in a script.
 planes::Tiers evidence_tiers();
 
 }  // namespace zproof

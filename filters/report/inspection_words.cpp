@@ -176,4 +176,40 @@ std::string in_words(const PixelInspection& one) {
     return text;
 }
 
+namespace {
+
+std::string float_in_words(float value) { return with_digits(double(value), 9); }
+
+std::string channel_line(const std::string& name, float value, float least, float greatest) {
+    const double outside = distance_outside(value, least, greatest);
+    const std::string permitted =
+        least > greatest ? "permitted no float32"
+                         : "permitted " + float_in_words(least) + " to " + float_in_words(greatest);
+    return line(name, float_in_words(value) + ", " + permitted + ": " +
+                          (outside > 0 ? "outside by " + short_number(outside) : "within"));
+}
+
+double distance_outside(const ClaimedPixel& claimed) {
+    return zproof::distance_outside(claimed.value, claimed.permitted.least, claimed.permitted.greatest);
+}
+
+}  // namespace
+
+bool is_outside(const ClaimedPixel& claimed) { return distance_outside(claimed) > 0; }
+
+std::string in_a_line(const ClaimedPixel& claimed) {
+    const std::string outside =
+        is_outside(claimed) ? "outside by " + short_number(distance_outside(claimed)) + " of" : "within";
+    return "the picture is " + outside + " what " + claimed.method + " permits" +
+           (claimed.promise.empty() ? "" : ", promising " + claimed.promise) + "\n";
+}
+
+std::string in_words(const ClaimedPixel& claimed) {
+    const auto& [least, greatest] = claimed.permitted;
+    const LinearRgb& value = claimed.value;
+    return in_a_line(claimed) + channel_line("red", value.r, least.r, greatest.r) +
+           channel_line("green", value.g, least.g, greatest.g) +
+           channel_line("blue", value.b, least.b, greatest.b);
+}
+
 }  // namespace zproof

@@ -143,6 +143,28 @@ describe('a pixel of a study', () => {
         await again.close();
     });
 
+    it('of the box that was inspected says what the command prints, from a script beside the page', async () => {
+        const boxed = join(folder, 'boxed');
+        zproof(0, 'filters', 'run', 'worked', '--view', 'phi-45', '--methods', 'nearest,trilinear-gl', ...size, '--flicker', '0',
+               '--inspect', '88,64,8,8', '-o', boxed);
+        const page = await openReport(browser, boxed, '#view=worked-phi-45&x=95&y=71&method=trilinear-gl', {}, 'filters.html');
+        const shows = async (x, y, method) => {
+            await page.waitForSelector('#viewer pre.story', {state: 'attached'});
+            assert.equal(await page.textContent('#viewer pre.story'), zproof(0, 'filters', 'explain', 'worked', '--view', 'phi-45',
+                '--width', width, '--height', height, '--pixel', `${x},${y}`, '--method', method));
+            assert.equal(await page.locator('#viewer canvas[data-shown=read]').count(), 1);
+        };
+        await shows(95, 71, 'trilinear-gl');
+        await press(page, 'ArrowLeft', 'ArrowUp', 'g');
+        await shows(94, 70, 'nearest');
+        const outside = await openReport(browser, boxed, '#view=worked-phi-45&x=87&y=71&method=trilinear-gl', {}, 'filters.html');
+        assert.equal(await outside.locator('#viewer pre.story').count(), 0);
+        assert.match(await outside.textContent('#viewer .inspector'), /A study with --inspect 64,40,32,32 tells every pixel/);
+        assert.deepEqual([...page.trouble, ...outside.trouble], []);
+        await page.close();
+        await outside.close();
+    });
+
     it('that has no inspection names the command that makes one', async () => {
         const page = await open('#view=worked-phi-45&x=3&y=71&method=trilinear-gl');
         const command = await page.textContent('#viewer .command code');

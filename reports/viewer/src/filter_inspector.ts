@@ -22,6 +22,7 @@ export type FilterWays = {toStory(): void; toOutside(): void};
 export class FilterInspector implements PixelInspector {
     readonly root = element('aside', {class: 'inspector', 'aria-label': 'pixel', 'aria-live': 'polite'});
     private shown = '';
+    private place = '';  // method and pixel that were asked for last
 
     constructor(private readonly choice: FilterChoice, private readonly viewOf: (planes: Planes) => FilterView | null,
                 private readonly copy: (text: string, what: string) => void,
@@ -31,17 +32,28 @@ export class FilterInspector implements PixelInspector {
         const view = planes && this.viewOf(planes);
         if (!view || x < 0) return this.showNothing();
         const {method} = this.choice, claim = view.header.claims?.[method], read = claim?.method ?? method;
+        this.askForRow(view, planes, read, x, y);
         const pixel = y * view.planes.width + x, own = view.inspection(pixel, method);
         const claimed = claim && view.inspection(pixel, read), one = claimed ?? own;
         replaceChildren(this.root, element('h2', {}, `Pixel ${x}, ${y}`),
             element('p', {class: 'fine regions'}, view.regionsAt(pixel).slice(1).join(' · ')),
             one && element('p', {class: 'why'}, claimed ? `${method} claims to be ${one.method}, which ${one.why}.` : `${method} ${one.why}.`),
             this.values(view, pixel), claim && this.permitted(view, claim, pixel), this.facts(view, pixel),
-            one ? inspectionOf(one) : this.noInspection(view, read), this.command(view, x, y, read));
+            one ? inspectionOf(one) : this.noInspection(view, read, x, y), this.command(view, x, y, read));
         if (one) draw(this.root, one);
         const key = `${view.header.scene}/${view.header.view}/${x}/${y}`;
         if (key !== this.shown) this.root.scrollTop = 0;
         this.shown = key;
+    }
+
+    /// Shows the pixel again once its row is there.
+    private askForRow(view: FilterView, planes: Planes, method: string, x: number, y: number): void {
+        const place = `${method}/${x}/${y}`;
+        this.place = place;
+        if (view.inspection(y * view.planes.width + x, method) || !view.hasRow(method, y)) return;
+        void view.needRow(method, y).then(() => {
+            if (this.place === place && view.inspection(y * view.planes.width + x, method)) this.show(planes, x, y);
+        });
     }
 
     copyLink(): void { this.copy(this.linkHere(), 'link'); }
@@ -93,9 +105,10 @@ export class FilterInspector implements PixelInspector {
                 : 'no texture'));
     }
 
-    private noInspection(view: FilterView, method: string): HTMLElement {
+    private noInspection(view: FilterView, method: string, x: number, y: number): HTMLElement {
         const some = view.inspections.some((one) => one.method === this.choice.method);
         return element('p', {class: 'fine'}, `What ${method} reads here is not stored; the command tells it. `,
+            'A study with ', element('code', {}, `--inspect ${boxAbout(view.planes, x, y)}`), ' tells every pixel about this one. ',
             some && element('button', {type: 'button', onclick: () => this.walk.toStory()}, 'Next pixel with an inspection'));
     }
 
@@ -106,6 +119,13 @@ export class FilterInspector implements PixelInspector {
                 element('button', {type: 'button', onclick: () => this.copy(command, 'command')}, 'Copy command'), ' ',
                 element('button', {type: 'button', onclick: () => this.copyLink()}, 'Copy link ', element('kbd', {}, 'C'))));
     }
+}
+
+/// A box of at most 32 x 32 pixels, as --inspect takes it.
+function boxAbout(planes: Planes, x: number, y: number): string {
+    const width = Math.min(32, planes.width), height = Math.min(32, planes.height);
+    const from = (at: number, side: number, size: number) => Math.min(Math.max(at - side / 2 | 0, 0), size - side);
+    return [from(x, width, planes.width), from(y, height, planes.height), width, height].join();
 }
 
 /// For a shell.

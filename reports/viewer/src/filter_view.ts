@@ -30,6 +30,8 @@ export type Inspection = {
 
 export function planesOf(method: string): string[] { return channelNames.map((c) => `method.${method}.${c}`); }
 
+function rowOf(method: string, y: number): string { return `inspected.${method}.${y}`; }
+
 /// Words as the floats whose bits they are.
 export function asFloats(words: Uint32Array): Float32Array {
     return new Float32Array(words.buffer, words.byteOffset, words.length);
@@ -45,6 +47,7 @@ export class FilterView {
     regions: Uint32Array = new Uint32Array(0);
     truth: Channels | null = null;
     inspections: Inspection[] = [];
+    private readonly rows = new Map<string, Inspection[]>();  // of every pixel, by the block's name
     private readonly channels = new Map<string, Channels>();
     private readonly magnitudes = new Map<string, Float32Array>();
     private readonly intervals = new Map<string, Permitted>();
@@ -76,6 +79,19 @@ export class FilterView {
 
     private async read(names: string[]): Promise<Channels> {
         return await Promise.all(names.map(async (name) => asFloats(await this.planes.words(name)))) as Channels;
+    }
+
+    /// Decodes what is told of every pixel of this row, where it is to be found.
+    async needRow(method: string, y: number): Promise<void> {
+        const name = rowOf(method, y);
+        await this.planes.load([name]);
+        const told = await this.planes.json<Inspection[]>(name);
+        if (told && !this.rows.has(name)) this.rows.set(name, told);
+    }
+
+    /// Is the pixel's row told, in the page or beside it?
+    hasRow(method: string, y: number): boolean {
+        return this.planes.has(rowOf(method, y)) || this.planes.leftOut.includes(rowOf(method, y));
     }
 
     /// What need() has decoded.
@@ -112,7 +128,8 @@ export class FilterView {
 
     inspection(pixel: number, method: string): Inspection | undefined {
         const x = pixel % this.planes.width, y = (pixel - x) / this.planes.width;
-        return this.inspections.find((one) => one.x === x && one.y === y && one.method === method);
+        const told = this.rows.get(rowOf(method, y)) ?? this.inspections;
+        return told.find((one) => one.x === x && one.y === y && one.method === method);
     }
 
     regionsAt(pixel: number): string[] {

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 
+#include "filters/commands/view_evidence.h"
 #include "filters/report/json.h"
 #include "filters/study/claims.h"
 #include "image_io/image_io.h"
 #include "math/sha256.h"
+#include "program/usage_error.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {
@@ -127,6 +129,31 @@ TEST_F(FilterPictures, ShowWhatTheMethodPermitsThatTheyClaimToBe) {
     EXPECT_NE(folder_.read("study/filters.html").find(words), std::string::npos);
 }
 
+TEST_F(FilterPictures, AreInspectedInABoxThatTheViewHolds) {
+    const Words worked = with(small, {"worked", "--view", "phi-0", "--inspect"});
+    EXPECT_EQ(run(folder_, with(worked, {"24,31,8,1"})).exit_code, 0);
+    const std::string header = folder_.read("study/pictures/worked-phi-0/planes.zvp").substr(0, 8192);
+    EXPECT_NE(header.find("\"inspected.nearest.31\""), std::string::npos);
+    EXPECT_EQ(header.find("\"inspected.nearest.30\""), std::string::npos);
+    const auto refused = [&](const std::string& box, const std::string& why) {
+        const Ran ran = run(folder_, with(worked, {box}));
+        EXPECT_EQ(ran.exit_code, 2) << ran.err;
+        EXPECT_NE(ran.err.find(why), std::string::npos) << ran.err;
+    };
+    refused("24,31,9,1", "reaches beyond the view 'phi-0', which has 32 x 32 pixels");
+    refused("24,31,8,2", "reaches beyond");
+    refused("24,31,8", "--inspect: expected X,Y,WIDTH,HEIGHT");
+}
+
+TEST(InspectedBox, HasAtMostTwoToTheFifteenPixelsEachMethodCounted) {
+    View view;
+    view.width = view.height = 512;
+    EXPECT_NO_THROW(refuse_unfit_box({0, 0, 256, 128}, 1, view));
+    EXPECT_NO_THROW(refuse_unfit_box({256, 480, 256, 32}, 4, view));
+    EXPECT_THROW(refuse_unfit_box({0, 0, 331, 99}, 1, view), UsageError) << "one more";
+    EXPECT_THROW(refuse_unfit_box({0, 0, 257, 128}, 1, view), UsageError);
+}
+
 TEST_F(FilterPictures, ClaimOnlyWhatCanBeChecked) {
     const auto refused = [&](const Words& words, const std::string& why) {
         const Ran ran =
@@ -142,6 +169,44 @@ TEST_F(FilterPictures, ClaimOnlyWhatCanBeChecked) {
     refused({"--claim", "theirs=bilinear", "--claim", "theirs=nearest"}, "has a claim already");
     refused({"--precision", "gpu"}, "together with --claim");
     refused({"--claim", "theirs=bilinear", "--precision", "gpuu"}, "did you mean 'gpu'?");
+}
+
+/// The nearest pixel at which nearest and bilinear show different colours.
+std::string telling_pixel(const Picture& nearest, const Picture& bilinear) {
+    for (int y = nearest.size().height - 1; y >= 0; --y)
+        for (int x = 0; x < nearest.size().width; ++x)
+            if (std::abs(nearest.at(x, y).g - bilinear.at(x, y).g) > 0.1f)
+                return std::to_string(x) + "," + std::to_string(y);
+    return "none";
+}
+
+TEST_F(FilterPictures, AreExplainedAtAPixelBesideWhatTheirClaimPermits) {
+    const auto home = folder_.path() / "ours/pictures/worked-phi-0";
+    const std::string pixel =
+        telling_pixel(read_picture(home / "nearest.exr"), read_picture(home / "bilinear.exr"));
+    const auto explained = [&](const Words& words) {
+        return run(folder_, with({"filters", "explain", "worked", "--view", "phi-0", "--width", "32",
+                                  "--height", "32", "--pixel", pixel},
+                                 words));
+    };
+    const Ran right = explained({"--method", "bilinear", "--picture", theirs_});
+    EXPECT_EQ(right.exit_code, 0) << right.err;
+    EXPECT_NE(right.out.find("the picture is within what bilinear permits\n"), std::string::npos)
+        << right.out;
+    EXPECT_NE(right.out.find("  taps "), std::string::npos) << right.out;
+    const Ran wrong =
+        explained({"--method", "nearest", "--picture", theirs_, "--precision", "lod_bits=6", "-q"});
+    EXPECT_EQ(wrong.exit_code, 1) << wrong.err;
+    EXPECT_NE(wrong.out.find("the picture is outside by 0."), std::string::npos) << wrong.out;
+    EXPECT_NE(wrong.out.find(" of what nearest permits, promising lod_bits=6\n"), std::string::npos)
+        << wrong.out;
+    EXPECT_EQ(
+        explained({"--method", "nearest", "--picture", theirs_, "--precision", "weight_bits=0"}).exit_code,
+        1);
+    EXPECT_EQ(explained({"--method", "nearest", "--precision", "gpu"}).exit_code, 2);
+    EXPECT_EQ(explained({"--method", "nearest,bilinear", "--picture", theirs_}).exit_code, 2);
+    EXPECT_EQ(explained({"--method", "oiio-aniso", "--picture", theirs_}).exit_code, 2);
+    EXPECT_EQ(explained({"--method", "nearest", "--picture", "nowhere.exr"}).exit_code, 3);
 }
 
 /// The input's hash is that of the .glb that anybody can write and hash.

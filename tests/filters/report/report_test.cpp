@@ -322,6 +322,39 @@ TEST(InspectionWords, GuessNothingWhereANumberIsMissing) {
     EXPECT_EQ(in_a_line(one), "pixel 9,99, ewa: not told: nobody records what this sampler reads\n");
 }
 
+ClaimedPixel claimed(float green) {
+    return {.method = "bilinear",
+            .promise = "gpu",
+            .value = {0.5f, green, 0.1f},
+            .permitted = {{0.25f, 0.25f, 0.1f}, {0.75f, 0.75f, 0.1f}}};
+}
+
+TEST(ClaimWords, TellWhatIsPermittedToTheLastFloat) {
+    EXPECT_EQ(in_words(claimed(0.75f)),
+              "the picture is within what bilinear permits, promising gpu\n"
+              "  red         0.5, permitted 0.25 to 0.75: within\n"
+              "  green       0.75, permitted 0.25 to 0.75: within\n"
+              "  blue        0.100000001, permitted 0.100000001 to 0.100000001: within\n");
+    const ClaimedPixel beyond = claimed(std::nextafter(0.75f, 1.0f));
+    EXPECT_TRUE(is_outside(beyond));
+    EXPECT_NE(
+        in_words(beyond).find("  green       0.75000006, permitted 0.25 to 0.75: outside by 5.96e-08\n"),
+        std::string::npos)
+        << in_words(beyond);
+    EXPECT_EQ(in_a_line(claimed(1.0f)),
+              "the picture is outside by 0.25 of what bilinear permits, promising gpu\n");
+}
+
+TEST(ClaimWords, SayWhereNoFloatIsPermittedAndWhereTheValueIsNoNumber) {
+    ClaimedPixel one = claimed(0.5f);
+    one.promise = "", one.permitted.least.g = 0.8f;
+    EXPECT_NE(in_words(one).find("green       0.5, permitted no float32: outside by inf\n"),
+              std::string::npos)
+        << in_words(one);
+    EXPECT_EQ(in_a_line(one), "the picture is outside by inf of what bilinear permits\n");
+    EXPECT_TRUE(is_outside(claimed(std::nanf(""))));
+}
+
 TEST(Crops, ErrorsAreShownByTheirLogarithm) {
     const Picture truth({3, 1});
     Picture picture = truth;
