@@ -2,7 +2,7 @@
 """The bugs of docs/found.md that Debian's packages show: each is there still, in the words of that page. Where
 one was mended, the page has to say so.
 
-    found_test.py ZPROOF SOURCE embree|swiftshader|anisotropy|sliver|openscenegraph
+    found_test.py ZPROOF SOURCE embree|swiftshader|softpipe|numbers|anisotropy|sliver|openscenegraph
 """
 import os
 import re
@@ -37,6 +37,22 @@ def swiftshader(zproof, source, folder):
                    VK_ICD_FILENAMES=SWIFTSHADER)
     expect(text, '1 wrong_depth')
     expect(text, r'depth 1\.2348\d*, admissible from 1\.2499\d* to 1\.3400')
+
+
+def softpipe(zproof, source, folder):
+    scene = f'{source}/examples/found/cut_by_the_image.view.json'
+    text = printed([zproof, 'run', scene, '--oracle', 'none', '--renderer', 'opengl', '-o', f'{folder}/out'], 1,
+                   GALLIUM_DRIVER='softpipe')
+    expect(text, '1 hole')
+    expect(text, 'explain .* 0 19 ')
+
+
+def numbers(_zproof, source, folder):
+    program = f'{folder}/ids'
+    subprocess.run(['g++', '-DGL_GLEXT_PROTOTYPES', f'{source}/examples/found/softpipe_ids.cpp', '-lEGL', '-lOpenGL',
+                    '-o', program], check=True)
+    expect(printed([program], 0, GALLIUM_DRIVER='softpipe'), 'of the last of 1366 triangles: 0, right is 1365')
+    expect(printed([program], 0, GALLIUM_DRIVER='llvmpipe'), 'of the last of 1366 triangles: 1365, right is 1365')
 
 
 def anisotropy(zproof, _source, folder):
