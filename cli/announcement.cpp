@@ -92,8 +92,9 @@ SummaryStyle summary_style(const ReportArguments& report, SummaryStyle::Rows row
 
 }  // namespace
 
-ExitCode announce(const Results& results, const ReportArguments& report, SummaryStyle::Rows rows) {
-    const ExitCode code = exit_code_of(results);
+ExitCode announce(const Results& results, const ReportArguments& report, SummaryStyle::Rows rows,
+                  ExitCode beside) {
+    const ExitCode code = worst_of({exit_code_of(results), beside});
     const CommonArguments& common = report.common;
     if (!common.is_quiet()) std::cout << summary_table(results, summary_style(report, rows));
     if (common.detail == Detail::times) std::cout << times_table(results);

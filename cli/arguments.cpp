@@ -56,7 +56,7 @@ Command parse_command_line(int argc, const char* const* argv, const Environment&
     CommandWords& words = tree.words();
     const std::vector<std::string> typed{argv + 1, argv + argc};
     words.fit.typed = shell_line(typed);
-    for (ReportArguments* report : {&words.run.report, &words.compare.report}) {
+    for (ReportArguments* report : {&words.run.report, &words.compare.report, &words.conformance.report}) {
         report->argv = typed;
         report->typed = shell_line(typed);
     }

@@ -173,6 +173,13 @@ struct SelfcheckArguments {
     RenderSettings settings{.resolution = {480, 270}};
 };
 
+/// Everything that is asked of a device, on one page.
+struct ConformanceArguments {
+    RendererChoice renderer;
+    RandomChoice random{.count = 300};
+    ReportArguments report{.common = {.output = Output::folder, .out = "zproof-conformance"}};
+};
+
 struct ContractCheckArguments {
     CommonArguments common;
     RendererChoice renderer;

@@ -34,6 +34,10 @@ ExitCode execute(const FitArguments& arguments);
 /// another; a defect where one of them is inadmissible.
 ExitCode execute(const SelfcheckArguments& arguments);
 
+/// Judges a renderer on the suite and on random scenes, measures it, and writes one page of promises, figures
+/// and verdicts, with what a run writes.
+ExitCode execute(const ConformanceArguments& arguments);
+
 /// Has a program draw three small scenes and says in words what is wrong with them.
 ExitCode execute(const ContractCheckArguments& arguments);
 

@@ -8,6 +8,7 @@
 #include "cli/progress.h"
 #include "cli/shrinker.h"
 #include "cli/supervision.h"
+#include "frame/whole_file.h"
 #include "math/processor.h"
 #include "program/common_arguments.h"
 #include "program/interrupt.h"
@@ -15,6 +16,8 @@
 #include "program/version.h"
 #include "reports/extent.h"
 #include "reports/output_folder.h"
+#include "reports/pages/json.h"
+#include "reports/pages/writers.h"
 
 namespace zproof {
 namespace {
@@ -56,11 +59,35 @@ bool may_pass(const Results& results, ExitCode code, ShardStatus status) {
            (status == ShardStatus::ok_where_empty && results.views.empty());
 }
 
+Completeness completeness_of(const Results& results, const std::optional<Foreword>& foreword) {
+    const bool was_cut_short = foreword && foreword->code == ExitCode::interrupted;
+    return results.ending == Ending::complete && !was_cut_short ? Completeness::full : Completeness::partial;
+}
+
+Foreword written_foreword(const std::filesystem::path& folder, Foreword foreword) {
+    document::require_sound(foreword.document);
+    write_whole_file(folder / foreword.file, document::json_of(foreword.document));
+    return foreword;
+}
+
+/// Prints what the report arguments ask for; the reports lie in this folder.
+ExitCode told(const Results& results, const ReportArguments& report, const std::filesystem::path& folder,
+              const std::optional<Foreword>& foreword) {
+    ReportArguments published = report;
+    published.common.out = folder;
+    if (!report.common.is_quiet()) std::cout << shrunk_in_words(results, report.common.out, folder);
+    if (foreword && !report.common.is_quiet())
+        std::cout << document::terminal_text(foreword->document) << "\n";
+    const bool are_told = foreword || progress_of(report.common) == ProgressStyle::lines;
+    return announce(results, published, are_told ? SummaryStyle::Rows::none : SummaryStyle::Rows::each_view,
+                    foreword ? foreword->code : ExitCode::nothing);
+}
+
 }  // namespace
 
 ExitCode judge_and_report(const RunRequest& request) {
     const auto& [sources, renderers, settings, report, selection, shard, shard_status, reference_cache,
-                 early_end_rule, views] = request;
+                 early_end_rule, views, foreword_of] = request;
     const Gate gate = open_gate(report.gate);
     Results results{.version = version_number(),
                     .commit = commit(),
@@ -108,17 +135,16 @@ ExitCode judge_and_report(const RunRequest& request) {
                                cache ? &*cache : nullptr};
         scenes_left = judge_supervised(sources, config, report.common.threads, results);
     }
-    on_threads(report.common.threads, [&] { write_reports(out.working(), results, report.formats); });
-    ReportArguments published = report;
-    published.common.out = publish(
-        out, report.common, results.ending == Ending::complete ? Completeness::full : Completeness::partial);
-    if (!report.common.is_quiet())
-        std::cout << shrunk_in_words(results, report.common.out, published.common.out);
-    const bool are_told = progress_of(report.common) == ProgressStyle::lines;
+    std::optional<Foreword> foreword;
+    if (foreword_of && results.ending == Ending::complete)
+        foreword = written_foreword(out.working(), foreword_of(results));
+    on_threads(report.common.threads, [&] {
+        write_reports(out.working(), results, report.formats, foreword ? &foreword->document : nullptr);
+    });
     const ExitCode code =
-        announce(results, published, are_told ? SummaryStyle::Rows::none : SummaryStyle::Rows::each_view);
+        told(results, report, publish(out, report.common, completeness_of(results, foreword)), foreword);
     if (may_pass(results, code, shard_status)) return ExitCode::proven;
-    if (code != ExitCode::interrupted) return code;
+    if (code != ExitCode::interrupted || results.ending == Ending::complete) return code;
     return say_interrupted(judged_of(results, scenes_left), "view", "judged and written");
 }
 

@@ -3,15 +3,13 @@
 #include <stdexcept>
 
 #include "cli/commands.h"
+#include "cli/measurement_run.h"
 #include "cli/renderers/registry.h"
 #include "frame/precision_text.h"
 #include "frame/printable.h"
 #include "frame/whole_file.h"
-#include "measure/measure.h"
 #include "measure/promise.h"
-#include "program/common_arguments.h"
 #include "program/interrupt.h"
-#include "program/work_progress.h"
 #include "reports/measurement_report.h"
 
 namespace zproof {
@@ -40,17 +38,7 @@ std::string told(const MeasureArguments& arguments, const std::string& renderer,
 ExitCode execute(const MeasureArguments& arguments) {
     const measure::Renderer renderer = measured_renderer(arguments.renderer);
     note_interrupts();
-    measure::Measurement measurement;
-    Share instruments{0, measure::instrument_count};
-    {
-        WorkProgress progress{std::cerr, progress_of(arguments.common), measure::about_all_pictures};
-        const measure::ProgressSink progress_sink{
-            .begins = [&](const std::string& what, int pictures) { progress.begin(what, pictures); },
-            .ends = [&] { ++instruments.done; },
-            .wants_to_stop = interrupted};
-        constexpr int of_tiny_pictures = 1;  // there are hundreds of them
-        on_threads(of_tiny_pictures, [&] { measurement = measure::measure(renderer, progress_sink); });
-    }
+    const auto [measurement, instruments] = measured(renderer, arguments.common);
     const auto findings = measure::findings(measurement, renderer.declared);
     std::cout << told(arguments, renderer.name, findings);
     if (instruments.done < instruments.all) return say_interrupted(instruments, "instrument", "read");

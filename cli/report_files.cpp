@@ -36,9 +36,10 @@ std::string file_of(ReportFormat format) {
     return "";
 }
 
-void write_file(const fs::path& folder, const Results& results, ReportFormat format) {
+void write_file(const fs::path& folder, const Results& results, ReportFormat format,
+                const document::Document* foreword) {
     WholeFile file{folder / file_of(format)};
-    write_report([&](std::string_view text) { file.append(text); }, format, results, folder);
+    write_report([&](std::string_view text) { file.append(text); }, format, results, folder, {}, foreword);
     file.finish();
 }
 
@@ -76,19 +77,22 @@ ReportFormat format_from(const std::string& word) {
                      " (expected: " + list + ")"};
 }
 
-void write_reports(const fs::path& folder, const Results& results, const std::vector<ReportFormat>& formats) {
+void write_reports(const fs::path& folder, const Results& results, const std::vector<ReportFormat>& formats,
+                   const document::Document* foreword) {
     std::vector<ReportFormat> with_files{ReportFormat::json};
     for (const ReportFormat format : formats)
         if (!file_of(format).empty() && std::ranges::count(with_files, format) == 0)
             with_files.push_back(format);
-    tbb::parallel_for_each(with_files, [&](ReportFormat format) { write_file(folder, results, format); });
+    tbb::parallel_for_each(with_files,
+                           [&](ReportFormat format) { write_file(folder, results, format, foreword); });
 }
 
 void write_report(const TextSink& out, ReportFormat format, const Results& results,
-                  const fs::path& run_folder, std::span<const document::Document> studies) {
+                  const fs::path& run_folder, std::span<const document::Document> studies,
+                  const document::Document* foreword) {
     switch (format) {
         case ReportFormat::html:
-            return write_page(out, html_page(results, run_folder, page_budget, studies));
+            return write_page(out, html_page(results, run_folder, page_budget, studies, foreword));
         case ReportFormat::json:
             return write_json(out, results);
         case ReportFormat::junit:

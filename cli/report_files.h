@@ -31,12 +31,13 @@ ReportFormat format_from(const std::string& word);
 /// Writes results.json and a file for each of the formats that has one, on the threads of the surrounding
 /// tbb::task_arena. Throws ReportError or FrameError.
 void write_reports(const std::filesystem::path& folder, const Results& results,
-                   const std::vector<ReportFormat>& formats);
+                   const std::vector<ReportFormat>& formats, const document::Document* foreword = nullptr);
 
 /// Puts the report out; run_folder is where evidence is found, and what its links are relative to. Studies
-/// have a place in the page only.
+/// and the foreword have a place in the page only.
 void write_report(const TextSink& out, ReportFormat format, const Results& results,
-                  const std::filesystem::path& run_folder, std::span<const document::Document> studies = {});
+                  const std::filesystem::path& run_folder, std::span<const document::Document> studies = {},
+                  const document::Document* foreword = nullptr);
 
 /// The results that a file, or the folder around it, holds. Throws ReportError naming it.
 Results read_results(const std::filesystem::path& file_or_folder);

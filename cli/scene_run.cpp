@@ -16,6 +16,7 @@
 #include "cli/stage_clock.h"
 #include "cli/view_result.h"
 #include "cli/viewer_evidence.h"
+#include "compare/attributes/attribute_check.h"
 #include "compare/diagnosis/diagnosis.h"
 #include "compare/judge.h"
 #include "oracle/oracle_error.h"
@@ -167,6 +168,17 @@ std::vector<std::string> remarks_on_attributes(const ViewRun& view_run, const At
     return remarks;
 }
 
+/// The candidate's attributes that are judged.
+std::vector<std::string> names_of_judged(const ViewRun& view_run, const Attributes& given) {
+    const Renderer& candidate = view_run.opened.candidate;
+    std::vector<std::string> names;
+    if (candidate.labels) return names;
+    for (const Attribute attribute :
+         judged_attributes(view_run.context.scene, view_run.context.view, given, candidate.precision))
+        names.emplace_back(name_of(attribute));
+    return names;
+}
+
 /// Returns nothing where it was interrupted between two stages.
 std::optional<ViewResult> run_view(const ViewRun& view_run) {
     const auto& [context, opened, config, clock, place, is_last] = view_run;
@@ -189,7 +201,8 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
     if (interrupted()) return std::nullopt;
 
     begin(view_run, "judge", &StageTimes::judge);
-    const std::vector<std::string> remarks = remarks_on_attributes(view_run, given.attributes);
+    const std::vector<std::string> remarks = remarks_on_attributes(view_run, given.attributes),
+                                   attributes = names_of_judged(view_run, given.attributes);
     const CandidateFrame candidate =
         candidate_frame(scene, view, opened.candidate, std::move(given), reference);
     const RenderedFrame ours{candidate.frame, opened.candidate.precision},
@@ -209,6 +222,7 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
     ViewResult result = to_view_result(context, verdict, told, config.gate, candidate);
     result.diagnosis = std::move(diagnosis);
     result.notes.insert(result.notes.end(), remarks.begin(), remarks.end());
+    result.attributes = attributes;
 
     if (is_whole || config.shows_every_view) {
         begin(view_run, "write", &StageTimes::write);

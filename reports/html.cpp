@@ -92,13 +92,13 @@ std::string legend() {
            "the bound is loose, above 1 something is wrong.</p></div></div>\n</details></section>\n";
 }
 
-std::string head(const Results& results) {
+std::string head(const std::string& title) {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
            content_policy(viewer_script()) +
            "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
            "<meta name=\"color-scheme\" content=\"light dark\">\n<title>zproof: " +
-           escaped(headline(results)) + "</title>\n<style>\n" + std::string(html_style()) + class_colours() +
+           escaped(title) + "</title>\n<style>\n" + std::string(html_style()) + class_colours() +
            std::string(document::page_style()) + std::string(viewer_style()) + "</style>\n</head>\n";
 }
 
@@ -163,15 +163,20 @@ std::string studies_of(std::span<const document::Document> studies) {
     return text;
 }
 
+std::string foreword_of(const document::Document& foreword) {
+    return "<header>\n" + study_section(foreword, "foreword") + "</header>\n";
+}
+
 }  // namespace
 
 Page html_page(const Results& results, const std::filesystem::path& run_folder, std::size_t budget,
-               std::span<const document::Document> studies) {
+               std::span<const document::Document> studies, const document::Document* foreword) {
     std::vector<PageView> views = page_views(results, run_folder);
     const std::span<PageView> in_markup{views.data(), std::min(views.size(), views_in_markup)};
     const std::string script = script_element(viewer_script());
-    std::string begin = head(results) + "<body>\n<header>\n<h1>" + escaped(headline(results)) + "</h1>\n" +
-                        html_answer(results) + "</header>\n<main>\n";
+    std::string begin = head(foreword ? foreword->title : headline(results)) + "<body>\n" +
+                        (foreword ? foreword_of(*foreword) : "") + "<header>\n<h1>" +
+                        escaped(headline(results)) + "</h1>\n" + html_answer(results) + "</header>\n<main>\n";
     const std::string table = html_summary(in_markup);
     std::string middle = html_renderers(results) + legend() + links_to(studies),
                 end = studies_of(studies) + provenance(results) + "</main>\n";
@@ -202,8 +207,8 @@ Page html_page(const Results& results, const std::filesystem::path& run_folder, 
 }
 
 std::string to_html(const Results& results, const std::filesystem::path& run_folder, std::size_t budget,
-                    std::span<const document::Document> studies) {
-    return text_of(html_page(results, run_folder, budget, studies));
+                    std::span<const document::Document> studies, const document::Document* foreword) {
+    return text_of(html_page(results, run_folder, budget, studies, foreword));
 }
 
 }  // namespace zproof

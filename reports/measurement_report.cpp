@@ -20,24 +20,6 @@ std::string number_of(const Bracket& bracket, const std::string& unit) {
     return unit.empty() ? text : text + " " + unit;
 }
 
-std::string measured(const measure::Finding& finding) {
-    if (!finding.value) return finding.words;
-    const std::string number = number_of(*finding.value, finding.unit);
-    return finding.words.empty() ? number : number + " (" + finding.words + ")";
-}
-
-std::string_view in_words(Conformity conformity) {
-    switch (conformity) {
-        case Conformity::as_declared:
-            return "as declared";
-        case Conformity::worse:
-            return "WORSE";
-        case Conformity::undeclared:
-            return "-";
-    }
-    return "-";
-}
-
 std::string_view key_of(Conformity conformity) {
     switch (conformity) {
         case Conformity::as_declared:
@@ -75,10 +57,29 @@ std::string verdict(const std::string& renderer, std::span<const measure::Findin
 
 }  // namespace
 
+std::string measured_in_words(const measure::Finding& finding) {
+    if (!finding.value) return finding.words;
+    const std::string number = number_of(*finding.value, finding.unit);
+    return finding.words.empty() ? number : number + " (" + finding.words + ")";
+}
+
+std::string_view in_words(Conformity conformity) {
+    switch (conformity) {
+        case Conformity::as_declared:
+            return "as declared";
+        case Conformity::worse:
+            return "WORSE";
+        case Conformity::undeclared:
+            return "-";
+    }
+    return "-";
+}
+
 std::string measurement_table(const std::string& renderer, std::span<const measure::Finding> findings) {
     std::vector<Row> rows{{"finding", "measured", "declared", "conformity"}};
     for (const measure::Finding& f : findings)
-        rows.push_back({f.title, one_line(measured(f)), f.declared, std::string{in_words(f.conformity)}});
+        rows.push_back(
+            {f.title, one_line(measured_in_words(f)), f.declared, std::string{in_words(f.conformity)}});
     return table_of(rows) + "\n" + verdict(renderer, findings);
 }
 

@@ -121,8 +121,9 @@ struct ViewResult {
     std::optional<Diagnosis> diagnosis;  ///< of the defects; nothing where there are none
     std::vector<OracleResult> oracles;
     IdAgreement id_agreement;  ///< of candidate, reference and the oracles that were compared, in this order
-    std::vector<ReportedFinding> worst;  ///< defects first, then by error/bound; at most 200
-    std::vector<std::string> notes;      ///< of the scene
+    std::vector<ReportedFinding> worst;     ///< defects first, then by error/bound; at most 200
+    std::vector<std::string> notes;         ///< of the scene
+    std::vector<std::string> attributes{};  ///< of the candidate's frame: those that were judged
     StageTimes times;
     std::string folder;       ///< scenes/NAME, relative to results.json; empty: no evidence was left
     std::uint64_t place = 0;  ///< of its scene among those that the command line selected

@@ -12,6 +12,7 @@ Branch add_render(CLI::App& parent, CommandWords& words);
 Branch add_measure(CLI::App& parent, CommandWords& words);
 Branch add_fit(CLI::App& parent, CommandWords& words);
 Branch add_selfcheck(CLI::App& parent, CommandWords& words);
+Branch add_conformance(CLI::App& parent, CommandWords& words);
 Branch add_contract_check(CLI::App& parent, CommandWords& words);
 Branch add_selftest(CLI::App& parent, CommandWords& words);
 Branch add_merge(CLI::App& parent, CommandWords& words);

@@ -1,5 +1,5 @@
 // The commands that look at renderers and scenes without judging a run: render, measure, fit, selfcheck,
-// contract-check, selftest, init, list, scenes.
+// conformance, contract-check, selftest, init, list, scenes.
 #include "cli/command_line/branches.h"
 #include "cli/command_line/options.h"
 #include "cli/commands.h"
@@ -126,6 +126,27 @@ Branch add_selfcheck(CLI::App& parent, CommandWords& words) {
                 take_renderer(words.selfcheck.scenes, words.renderers);
                 words.selfcheck.renderer = candidate_of(words.renderers);
                 return command_of(words.selfcheck, "cannot check the renderer");
+            }};
+}
+
+Branch add_conformance(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand(
+        "conformance", "does a device keep what it promises? suite, random scenes and measure on one page");
+    app.add_option("DEVICE", words.renderers.renderer,
+                   "vulkan, opengl, another name, or 'CMD {scene} {camera} {width} {height} {out}'")
+        ->required()
+        ->type_name("RENDERER");
+    app.add_option("--random", words.conformance.random.count, "so many random scenes")
+        ->check(CLI::Range(std::uint64_t{1}, most_random_scenes))
+        ->capture_default_str();
+    add_precision_options(app, words.renderers);
+    add_keep_input(app, words.renderers);
+    add_report(app, words.conformance.report);
+    add_evidence(app, words.conformance.report);
+    add_isa(app);
+    return {&app, [&words] {
+                words.conformance.renderer = candidate_of(words.renderers);
+                return command_of(words.conformance, "cannot judge");
             }};
 }
 

@@ -32,6 +32,7 @@ CommandTree::CommandTree()
                  add_measure(*root_, words_),
                  add_fit(*root_, words_),
                  add_selfcheck(*root_, words_),
+                 add_conformance(*root_, words_),
                  add_contract_check(*root_, words_),
                  add_selftest(*root_, words_),
                  add_plan(*root_, words_),

@@ -24,6 +24,7 @@ struct CommandWords {
     MeasureArguments measure;
     FitArguments fit;
     SelfcheckArguments selfcheck;
+    ConformanceArguments conformance;
     ContractCheckArguments contract_check;
     SelftestArguments selftest;
     GenerateArguments generate;

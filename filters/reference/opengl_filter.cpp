@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "filters/reference/filter_peers.h"
 #include "oracle/opengl/context.h"
 #include "oracle/opengl/drawing.h"
@@ -11,15 +13,13 @@ using filter_reference::PixelFootprint;
 using opengl::Texture2d;
 
 /// One triangle that covers the image.
-constexpr const char* vertex_source = R"(#version 450 core
+constexpr const char* vertex_source = R"(#version 330 core
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); })";
 
 /// `place`: uv and, in z, whether the pixel shows this texture; `steps`: per pixel of x, and of y.
-constexpr const char* fragment_source = R"(#version 450 core
-layout(binding = 0) uniform sampler2D image;
-layout(binding = 1) uniform sampler2D place;
-layout(binding = 2) uniform sampler2D steps;
-layout(location = 0) uniform bool has_steps;
+constexpr const char* fragment_source = R"(#version 330 core
+uniform sampler2D image, place, steps;
+uniform bool has_steps;
 layout(location = 0) out vec4 colour;
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -33,42 +33,34 @@ GLint gl_wrap_of(Wrap wrap) {
     return wrap == Wrap::clamp_to_edge ? GL_CLAMP_TO_EDGE : GL_MIRRORED_REPEAT;
 }
 
-GLuint texture_name() {
-    GLuint name = 0;
-    glCreateTextures(GL_TEXTURE_2D, 1, &name);
-    return name;
-}
-
-Texture2d plane_texture(const Plane<glm::vec4>& plane) {
-    Texture2d texture{texture_name()};
-    const auto [width, height] = plane.size();
-    glTextureStorage2D(texture.name(), 1, GL_RGBA32F, width, height);
-    glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, plane.pixels().data());
+/// Bound, with the first of its levels filled.
+Texture2d bound_texture(int width, int height, const glm::vec4* texels) {
+    Texture2d texture{opengl::created(glGenTextures)};
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, texels);
     return texture;
 }
 
-int level_count(int size) {
-    int count = 1;
-    for (; size > 1; size /= 2) ++count;
-    return count;
+/// Of one level.
+Texture2d plane_texture(const Plane<glm::vec4>& plane) {
+    const auto [width, height] = plane.size();
+    Texture2d texture = bound_texture(width, height, plane.pixels().data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    return texture;
 }
 
 Texture2d mipped_texture(const Image& image, const Sampler& sampler, PeerFilter filter,
                          const FilterSettings& settings) {
     const texture::LinearImage linear = texture::linear_image({image.width, image.height, image.texels});
-    Texture2d texture{texture_name()};
-    const GLuint name = texture.name();
-    glTextureStorage2D(name, level_count(std::max(image.width, image.height)), GL_RGBA32F, image.width,
-                       image.height);
-    glTextureSubImage2D(name, 0, 0, 0, image.width, image.height, GL_RGBA, GL_FLOAT, linear.texels.data());
-    glGenerateTextureMipmap(name);
-    glTextureParameteri(name, GL_TEXTURE_WRAP_S, gl_wrap_of(sampler.wrap_u));
-    glTextureParameteri(name, GL_TEXTURE_WRAP_T, gl_wrap_of(sampler.wrap_v));
-    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER,
-                        filter == PeerFilter::bilinear ? GL_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
+    Texture2d texture = bound_texture(image.width, image.height, linear.texels.data());
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, gl_wrap_of(sampler.wrap_u));
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, gl_wrap_of(sampler.wrap_v));
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                    filter == PeerFilter::bilinear ? GL_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
     if (filter == PeerFilter::anisotropic)
-        glTextureParameterf(name, GL_TEXTURE_MAX_ANISOTROPY, float(settings.max_anisotropy));
+        glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY, float(settings.max_anisotropy));
     return texture;
 }
 
@@ -128,17 +120,25 @@ Plane<glm::vec4> sampled(const opengl::Program& program, const Texture2d& image,
     const Resolution size = inputs.place.size();
     const Texture2d place = plane_texture(inputs.place), step = plane_texture(inputs.steps),
                     target = plane_texture(Plane<glm::vec4>{size});
-    const opengl::Framebuffer framebuffer{opengl::created(glCreateFramebuffers)};
-    const opengl::VertexArray nothing{opengl::created(glCreateVertexArrays)};
-    glNamedFramebufferTexture(framebuffer.name(), GL_COLOR_ATTACHMENT0, target.name(), 0);
+    const opengl::Framebuffer framebuffer{opengl::created(glGenFramebuffers)};
+    const opengl::VertexArray nothing{opengl::created(glGenVertexArrays)};
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.name(), 0);
     glViewport(0, 0, size.width, size.height);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CLIP_DISTANCE0);
     glUseProgram(program.name());
-    glUniform1i(0, steps == StepRule::analytic ? 1 : 0);
-    const std::array<GLuint, 3> units{image.name(), place.name(), step.name()};
-    glBindTextures(0, GLsizei(units.size()), units.data());
+    const auto set = [&](const char* name, GLint value) {
+        glUniform1i(glGetUniformLocation(program.name(), name), value);
+    };
+    set("has_steps", steps == StepRule::analytic ? 1 : 0);
+    const std::array<std::pair<const char*, GLuint>, 3> units{
+        {{"image", image.name()}, {"place", place.name()}, {"steps", step.name()}}};
+    for (GLint unit = 0; const auto& [name, texture] : units) {
+        set(name, unit);
+        glActiveTexture(GL_TEXTURE0 + GLenum(unit++));
+        glBindTexture(GL_TEXTURE_2D, texture);
+    }
     glBindVertexArray(nothing.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     Plane<glm::vec4> colours{size};

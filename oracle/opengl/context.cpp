@@ -63,14 +63,14 @@ EGLDisplay windowless_display() {
 EGLContext core_context(EGLDisplay display) {
     if (!eglBindAPI(EGL_OPENGL_API)) refuse("EGL offers no desktop OpenGL");
     constexpr std::array<EGLint, 7> wanted{EGL_CONTEXT_MAJOR_VERSION,
-                                           4,
+                                           3,
                                            EGL_CONTEXT_MINOR_VERSION,
-                                           5,
+                                           3,
                                            EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                            EGL_NONE};
     const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted.data());
-    if (context == EGL_NO_CONTEXT) refuse("the driver has no OpenGL 4.5 core context");
+    if (context == EGL_NO_CONTEXT) refuse("the driver has no OpenGL 3.3 core context");
     return context;
 }
 

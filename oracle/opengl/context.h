@@ -1,4 +1,5 @@
-/// An OpenGL 4.5 core context without a window, and how a thread takes hold of it.
+/// An OpenGL core context, of 3.3 or what the driver has beyond, without a window, and how a thread takes
+/// hold of it.
 #pragma once
 
 #include <EGL/egl.h>

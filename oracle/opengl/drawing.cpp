@@ -1,8 +1,11 @@
 #include "oracle/opengl/drawing.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "oracle/opengl/context.h"
 #include "oracle/oracle_error.h"
@@ -12,29 +15,38 @@ namespace {
 
 constexpr GLuint no_id = 0xFFFF'FFFF;
 
-/// Every row in one fixed order, nothing fused: what docs/bounds.md counts roundings of.
-constexpr const char* vertex_source = R"(#version 450 core
+/// Every row in one fixed order, nothing fused: what docs/bounds.md counts roundings of. GLSL 3.30 has no
+/// word for that; drivers of OpenGL 4 take it as an extension.
+constexpr const char* vertex_source = R"(
+#extension GL_ARB_gpu_shader5 : enable
+#ifdef GL_ARB_gpu_shader5
+#define AS_WRITTEN precise
+#else
+#define AS_WRITTEN
+#endif
 layout(location = 0) in vec3 p_world;
-layout(location = 0) uniform vec4 x_row;
-layout(location = 1) uniform vec4 y_row;
-layout(location = 2) uniform vec4 z_row;
-layout(location = 3) uniform vec4 w_row;
-layout(location = 4) uniform vec4 far_row;
-layout(location = 5) uniform vec3 eye_world;
-out gl_PerVertex { vec4 gl_Position; float gl_ClipDistance[1]; };
+layout(location = 1) in uint id_of_vertex;
+uniform vec4 x_row, y_row, z_row, w_row, far_row;
+uniform vec3 eye_world;
+out float gl_ClipDistance[1];
+flat out uint vertex_id;
 float times(vec4 row) {
-    precise vec3 p = p_world - eye_world;
-    precise float sum = ((row.x * p.x + row.y * p.y) + row.z * p.z) + row.w;
+    AS_WRITTEN vec3 p = p_world - eye_world;
+    AS_WRITTEN float sum = ((row.x * p.x + row.y * p.y) + row.z * p.z) + row.w;
     return sum;
 }
 void main() {
     gl_Position = vec4(times(x_row), times(y_row), times(z_row), times(w_row));
     gl_ClipDistance[0] = times(far_row);
+    vertex_id = id_of_vertex;
 })";
 
-constexpr const char* fragment_source = R"(#version 450 core
+/// `last`: the scene's last triangle where it is drawn first, else 0.
+constexpr const char* fragment_source = R"(
+uniform int last;
+flat in uint vertex_id;
 layout(location = 0) out uint id;
-void main() { id = uint(gl_PrimitiveID); })";
+void main() { id = ID; })";
 
 using Shader = Owned<glDeleteShader>;
 
@@ -60,7 +72,7 @@ Shader compiled(GLenum stage, const char* source) {
     return shader;
 }
 
-GLsizei index_count_of(const Scene& scene) {
+GLsizei corner_count_of(const Scene& scene) {
     if (scene.triangles.size() > std::size_t(std::numeric_limits<GLsizei>::max()) / 3)
         throw OracleError("OpenGL: the scene '" + scene.name + "' has " +
                           std::to_string(scene.triangles.size()) +
@@ -69,11 +81,37 @@ GLsizei index_count_of(const Scene& scene) {
 }
 
 template <class Container>
-void fill(const Buffer& buffer, const Container& values) {
-    glNamedBufferStorage(buffer.name(), GLsizeiptr(values.size() * sizeof(values[0])), values.data(), 0);
+void fill(GLenum target, const Buffer& buffer, const Container& values) {
+    glBindBuffer(target, buffer.name());
+    glBufferData(target, GLsizeiptr(values.size() * sizeof(values[0])), values.data(), GL_STATIC_DRAW);
 }
 
-void set_row(GLint location, const glm::vec4& row) { glUniform4f(location, row.x, row.y, row.z, row.w); }
+/// Three for each triangle.
+struct VerticesWithIds {
+    std::vector<glm::vec3> position_world;
+    std::vector<GLuint> id;
+};
+
+VerticesWithIds vertices_with_ids(const Scene& scene, DrawOrder order) {
+    VerticesWithIds vertices;
+    for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
+        const std::size_t id = order == DrawOrder::first_first ? i : scene.triangles.size() - 1 - i;
+        const glm::uvec3 t = scene.triangles[id];
+        for (const std::uint32_t vertex : {t.x, t.y, t.z}) {
+            vertices.position_world.push_back(scene.vertices.position_world[vertex]);
+            vertices.id.push_back(GLuint(id));
+        }
+    }
+    return vertices;
+}
+
+bool has_extension(std::string_view wanted) {
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i)
+        if (wanted == reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, GLuint(i)))) return true;
+    return false;
+}
 
 void raise_if_too_large(Resolution size) {
     GLint largest = 0;
@@ -92,7 +130,11 @@ GLuint created(void(APIENTRY* create)(GLsizei, GLuint*)) {
     return name;
 }
 
-Program id_program() { return linked_program(vertex_source, fragment_source); }
+Program id_program(IdSource ids) {
+    const std::string head = std::string("#version 330 core\n#define ID ") +
+                             (ids == IdSource::primitive ? "uint(abs(last - gl_PrimitiveID))" : "vertex_id");
+    return linked_program((head + vertex_source).c_str(), (head + fragment_source).c_str());
+}
 
 Program linked_program(const char* of_vertex, const char* of_fragment) {
     const Shader vertex = compiled(GL_VERTEX_SHADER, of_vertex);
@@ -109,50 +151,73 @@ Program linked_program(const char* of_vertex, const char* of_fragment) {
     return program;
 }
 
-Mesh::Mesh(const Scene& scene)
-    : index_count_(index_count_of(scene)),
-      position_world_(created(glCreateBuffers)),
-      index_(created(glCreateBuffers)),
-      layout_(created(glCreateVertexArrays)) {
-    if (index_count_ == 0) return;
-    fill(position_world_, scene.vertices.position_world);
-    fill(index_, scene.triangles);
-    glVertexArrayVertexBuffer(layout_.name(), 0, position_world_.name(), 0, sizeof(glm::vec3));
-    glVertexArrayElementBuffer(layout_.name(), index_.name());
-    glVertexArrayAttribFormat(layout_.name(), 0, 3, GL_FLOAT, GL_FALSE, 0);
-    glEnableVertexArrayAttrib(layout_.name(), 0);
+bool has_clip_control() {
+    GLint major = 0, minor = 0;
+    glGetIntegerv(GL_MAJOR_VERSION, &major);
+    glGetIntegerv(GL_MINOR_VERSION, &minor);
+    return major > 4 || (major == 4 && minor >= 5) || has_extension("GL_ARB_clip_control");
+}
+
+Mesh::Mesh(const Scene& scene, DrawOrder order, IdSource ids)
+    : corner_count_(corner_count_of(scene)),
+      last_(order == DrawOrder::last_first ? std::max(corner_count_ / 3 - 1, 0) : 0),
+      is_indexed_(ids == IdSource::primitive),
+      position_world_(created(glGenBuffers)),
+      index_or_id_(created(glGenBuffers)),
+      layout_(created(glGenVertexArrays)) {
+    if (corner_count_ == 0) return;
+    glBindVertexArray(layout_.name());
+    if (is_indexed_) {
+        auto triangles = scene.triangles;
+        if (order == DrawOrder::last_first) std::ranges::reverse(triangles);
+        fill(GL_ELEMENT_ARRAY_BUFFER, index_or_id_, triangles);
+        fill(GL_ARRAY_BUFFER, position_world_, scene.vertices.position_world);
+    } else {
+        const VerticesWithIds vertices = vertices_with_ids(scene, order);
+        fill(GL_ARRAY_BUFFER, index_or_id_, vertices.id);
+        glVertexAttribIPointer(1, 1, GL_UNSIGNED_INT, sizeof(GLuint), nullptr);
+        glEnableVertexAttribArray(1);
+        fill(GL_ARRAY_BUFFER, position_world_, vertices.position_world);
+    }
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+    glEnableVertexAttribArray(0);
     raise_gl_error("takes over the scene '" + scene.name + "'");
 }
 
 void Mesh::draw() const {
-    if (index_count_ == 0) return;
+    if (corner_count_ == 0) return;
     glBindVertexArray(layout_.name());
-    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    if (is_indexed_)
+        glDrawElements(GL_TRIANGLES, corner_count_, GL_UNSIGNED_INT, nullptr);
+    else
+        glDrawArrays(GL_TRIANGLES, 0, corner_count_);
 }
 
 Target::Target(Resolution size)
     : size_(size),
-      id_(created(glCreateRenderbuffers)),
-      depth_(created(glCreateRenderbuffers)),
-      framebuffer_(created(glCreateFramebuffers)) {
+      id_(created(glGenRenderbuffers)),
+      depth_(created(glGenRenderbuffers)),
+      framebuffer_(created(glGenFramebuffers)) {
     raise_if_too_large(size);
-    const GLuint framebuffer = framebuffer_.name();
-    glNamedRenderbufferStorage(id_.name(), GL_R32UI, size.width, size.height);
-    glNamedRenderbufferStorage(depth_.name(), GL_DEPTH_COMPONENT32F, size.width, size.height);
-    glNamedFramebufferRenderbuffer(framebuffer, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, id_.name());
-    glNamedFramebufferRenderbuffer(framebuffer, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
-    if (glCheckNamedFramebufferStatus(framebuffer, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    const auto attach = [&](GLenum place, const Renderbuffer& buffer, GLenum format) {
+        glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
+        glRenderbufferStorage(GL_RENDERBUFFER, format, size.width, size.height);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer.name());
+    };
+    attach(GL_COLOR_ATTACHMENT0, id_, GL_R32UI);
+    attach(GL_DEPTH_ATTACHMENT, depth_, GL_DEPTH_COMPONENT32F);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw OracleError("OpenGL: the driver cannot draw uint32 ids with a float32 depth buffer");
     raise_gl_error("makes room for an image");
 }
 
-void Target::start() const {
-    constexpr float farthest = 0;
+void Target::start(float farthest_z) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     glViewport(0, 0, size_.width, size_.height);
     glDepthMask(GL_TRUE);
-    glClearNamedFramebufferuiv(framebuffer_.name(), GL_COLOR, 0, &no_id);
-    glClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &farthest);
+    glClearBufferuiv(GL_COLOR, 0, &no_id);
+    glClearBufferfv(GL_DEPTH, 0, &farthest_z);
 }
 
 Plane<GLuint> Target::ids() const {
@@ -167,23 +232,26 @@ Plane<float> Target::depths() const {
     return depths;
 }
 
-void draw(const Program& program, const Mesh& mesh, const ClipRows& rows) {
-    glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
+void draw(const Program& program, const Mesh& mesh, const ClipRows& rows, DepthBuffer z) {
+    const bool is_reversed = z == DepthBuffer::reversed_z;
+    if (is_reversed) glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
     glDepthRange(0, 1);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_GREATER);
+    glDepthFunc(is_reversed ? GL_GREATER : GL_LEQUAL);
     glEnable(GL_CLIP_DISTANCE0);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_BLEND);
-    glDisable(GL_DITHER);
-    glDisable(GL_MULTISAMPLE);
+    for (const GLenum off : {GL_CULL_FACE, GL_BLEND, GL_DITHER, GL_MULTISAMPLE}) glDisable(off);
     glUseProgram(program.name());
-    set_row(0, rows.x);
-    set_row(1, rows.y);
-    set_row(2, rows.z);
-    set_row(3, rows.w);
-    set_row(4, rows.far_distance);
-    glUniform3f(5, rows.eye_world.x, rows.eye_world.y, rows.eye_world.z);
+    const auto place = [&](const char* name) { return glGetUniformLocation(program.name(), name); };
+    const auto set = [&](const char* name, const glm::vec4& row) {
+        glUniform4f(place(name), row.x, row.y, row.z, row.w);
+    };
+    set("x_row", rows.x);
+    set("y_row", is_reversed ? rows.y : -rows.y);  // row 0 is the top
+    set("z_row", rows.z);
+    set("w_row", rows.w);
+    set("far_row", rows.far_distance);
+    glUniform3f(place("eye_world"), rows.eye_world.x, rows.eye_world.y, rows.eye_world.z);
+    glUniform1i(place("last"), mesh.last());
     mesh.draw();
     raise_gl_error("draws");
 }

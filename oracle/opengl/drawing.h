@@ -49,21 +49,37 @@ GLuint created(void(APIENTRY* create)(GLsizei, GLuint*));
 /// Throws OracleError with the driver's log where it does not compile or link.
 Program linked_program(const char* vertex_source, const char* fragment_source);
 
-/// Writes gl_PrimitiveID at gl_Position = rows times p_world, all in float32. Throws OracleError with the
-/// driver's log where it does not compile.
-Program id_program();
+/// Where a fragment has the number of its triangle from.
+enum class IdSource {
+    primitive,  ///< gl_PrimitiveID
+    vertex,     ///< vertices that no two triangles share, for drivers whose gl_PrimitiveID is wrong
+};
 
-/// A scene's triangles in the driver's memory, in scene order.
+/// Writes the number at gl_Position = rows times p_world, all in float32. Throws OracleError with the
+/// driver's log where it does not compile.
+Program id_program(IdSource ids);
+
+/// Is there glClipControl? It makes reversed z worth while, and is of OpenGL 4.5.
+bool has_clip_control();
+
+/// Which of equal depths stays is the one that is drawn first, or the one that is drawn last. In either case
+/// it is to be the scene's first.
+enum class DrawOrder { first_first, last_first };
+
+/// A scene's triangles in the driver's memory.
 class Mesh {
   public:
     /// Throws OracleError where there are more triangles than one draw call takes.
-    explicit Mesh(const Scene& scene);
-    /// All triangles by one call, so that the driver counts primitives as the scene does.
+    Mesh(const Scene& scene, DrawOrder order, IdSource ids);
+    /// All triangles by one call, so that the driver counts primitives.
     void draw() const;
+    GLint last() const { return last_; }  ///< the scene's last triangle where it is drawn first, else 0
 
   private:
-    GLsizei index_count_;
-    Buffer position_world_, index_;
+    GLsizei corner_count_;
+    GLint last_;
+    bool is_indexed_;
+    Buffer position_world_, index_or_id_;
     VertexArray layout_;
 };
 
@@ -72,8 +88,8 @@ class Target {
   public:
     /// Throws OracleError where the driver's largest image is smaller.
     explicit Target(Resolution size);
-    /// Makes this what is drawn into, without an id anywhere and at depth 0.
-    void start() const;
+    /// Makes this what is drawn into, without an id anywhere and at this z.
+    void start(float farthest_z) const;
     Plane<GLuint> ids() const;
     Plane<float> depths() const;
 
@@ -83,7 +99,9 @@ class Target {
     Framebuffer framebuffer_;
 };
 
-/// Draws the mesh into the started target: both faces, nearest stays, nothing blended.
-void draw(const Program& program, const Mesh& mesh, const ClipRows& rows);
+/// Draws the mesh into the started target: both faces, nearest stays, nothing blended. The rows are of this
+/// z: reversed_z in [0, 1], which needs glClipControl, for a mesh in order; standard_z in [-1, 1] for one
+/// that is drawn last first, since what lies as far as nothing does is to be seen.
+void draw(const Program& program, const Mesh& mesh, const ClipRows& rows, DepthBuffer z);
 
 }  // namespace zproof::oracle::opengl

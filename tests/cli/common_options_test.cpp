@@ -39,6 +39,7 @@ const std::map<std::string, Call> calls{
     {"measure", {{"zproof"}}},
     {"fit", {{"two.gltf"}}},
     {"selfcheck", {{"two.gltf"}}},
+    {"conformance", {{"zproof", "--random", "1"}, Call::Told::with_times, Call::Work::of_seconds}},
     {"contract-check", {{program_word, "--precision", "ray"}}},
     {"selftest", {{}, Call::Told::alike, Call::Work::of_seconds}},
     {"plan", {{"two.gltf", "--of", "2"}}},

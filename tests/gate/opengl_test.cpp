@@ -37,6 +37,28 @@ std::vector<std::string> opengl_scene_names() {
 INSTANTIATE_TEST_SUITE_P(Suite, OpenGlOnSuite, testing::ValuesIn(opengl_scene_names()),
                          [](const auto& scene) { return scene.param; });
 
+/// Pixels of a class over a suite scene's views, as the driver draws them, by this promise.
+std::uint64_t pixels_of(PixelClass found, const std::string& scene, const Precision& promise) {
+    const Loaded loaded = generate_suite_scene(scene, 320, 180);
+    const oracle::Embree embree(loaded.scene);
+    const oracle::OpenGl opengl(loaded.scene);
+    std::uint64_t count = 0;
+    for (const View& view : loaded.views)
+        count += judge(loaded.scene, view, {opengl.render(view), promise},
+                       {embree.trace(view), oracle::embree_precision()})
+                     .counts[std::size_t(found)];
+    return count;
+}
+
+TEST(OpenGlPromise, OfReversedZIsRedWhereTheDriverHasStandardZ) {
+    auto promise = std::get<RasterPrecision>(oracle::opengl_precision());
+    const bool is_standard = promise.depth_buffer == DepthBuffer::standard_z;
+    promise.depth_buffer = DepthBuffer::reversed_z;
+    promise.clip_range = ClipRange::zero_to_one;
+    promise.matrix_far = MatrixFar::infinite;
+    EXPECT_EQ(pixels_of(PixelClass::wrong_depth, "depth_range", promise) > 0, is_standard);
+}
+
 class OpenGlAsOracle : public testing::TestWithParam<std::string> {};
 
 TEST_P(OpenGlAsOracle, AgreesWithTheCorrectRasterizerAndFailsABrokenOne) {

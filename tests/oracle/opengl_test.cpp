@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <tbb/parallel_for.h>
 
+#include <cstdlib>
 #include <limits>
 #include <thread>
 
@@ -19,6 +20,15 @@ using testing::HasSubstr;
 
 Frame drawn(const Corners& corners, const View& view) { return OpenGl(scene_of(corners)).render(view); }
 
+/// Is it a driver of 3.3 that the environment makes of Mesa's (CMakeLists.txt)?
+bool is_old() { return std::getenv("MESA_GL_VERSION_OVERRIDE") != nullptr; }
+
+/// Standard z is near 1 where depth is: there a step of float32 is one of depth^2 / near.
+void expect_depth(float depth, double expected, const View& view) {
+    const double relative = is_old() ? expected / view.camera.near_depth : 1;
+    EXPECT_NEAR(depth, expected, 4 * 0x1p-24 * expected * relative);
+}
+
 TEST(OpenGlTest, IsThere) { EXPECT_EQ(opengl_is_missing(), std::nullopt); }
 
 TEST(OpenGlTest, RowsRunDownAndColumnsRunRight) {
@@ -32,8 +42,9 @@ TEST(OpenGlTest, RowsRunDownAndColumnsRunRight) {
 }
 
 TEST(OpenGlTest, DepthIsMeasuredAlongTheViewAxisNotAlongTheRay) {
-    const Frame frame = drawn(wall(4), unit_pixels(6, 4));
-    for (const float depth : frame.camera_depth.pixels()) EXPECT_FLOAT_EQ(depth, 4);
+    const View view = unit_pixels(6, 4);
+    const Frame frame = drawn(wall(4), view);
+    for (const float depth : frame.camera_depth.pixels()) expect_depth(depth, 4, view);
 }
 
 TEST(OpenGlTest, NearestTriangleWinsWithinNearAndFar) {
@@ -95,7 +106,7 @@ TEST(OpenGlTest, AnEyeFarFromTheOriginCostsNothing) {
     Corners far_away = wall(4);
     for (glm::vec3& corner : far_away) corner += view.camera.eye_world;
     const Frame frame = drawn(far_away, view);
-    for (const float depth : frame.camera_depth.pixels()) EXPECT_FLOAT_EQ(depth, 4);
+    for (const float depth : frame.camera_depth.pixels()) expect_depth(depth, 4, view);
 }
 
 TEST(OpenGlTest, AnImageLargerThanTheDriverAllowsIsRefusedBySize) {
@@ -147,14 +158,24 @@ TEST(OpenGlTest, AnyThreadMayAskAndAllAtOnce) {
 }
 
 TEST(OpenGlTest, NamesVendorRendererAndVersion) {
-    EXPECT_THAT(opengl_version(), testing::MatchesRegex(".+, .+, OpenGL [4-9]\\.[0-9].*"));
+    EXPECT_THAT(opengl_version(), testing::MatchesRegex(".+, .+, OpenGL [3-9]\\.[0-9].*"));
 }
 
 /// OpenGL asks for 4 sub-pixel bits at least (4.5 core, table 23.53).
-TEST(OpenGlTest, PromisesTheDriversSubpixelBits) {
+TEST(OpenGlTest, PromisesTheDriversSubpixelBitsAndTheZThatItCanHave) {
     const auto precision = std::get<RasterPrecision>(opengl_precision());
     EXPECT_GE(precision.subpixel_bits, 4);
-    EXPECT_EQ(precision.depth_buffer, DepthBuffer::reversed_z);
+    EXPECT_EQ(precision.depth_buffer, is_old() ? DepthBuffer::standard_z : DepthBuffer::reversed_z);
+    EXPECT_EQ(precision.clip_range, is_old() ? ClipRange::minus_one_to_one : ClipRange::zero_to_one);
+    EXPECT_EQ(precision.matrix_far, is_old() ? MatrixFar::finite : MatrixFar::infinite);
+}
+
+/// Far away z is 1, that of a cleared buffer, where the far plane is infinite.
+TEST(OpenGlTest, WhatLiesAsFarAsNothingDoesIsDrawn) {
+    View view = unit_pixels(2, 2);
+    view.camera.near_depth = 0x1p-30;
+    view.camera.far_depth = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(picture(drawn(wall(4), view)), "\n00\n00\n");
 }
 
 }  // namespace

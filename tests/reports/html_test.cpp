@@ -42,6 +42,17 @@ TEST(Html, SetsStudiesBehindTheViewsAndNamesThemOnTop) {
     EXPECT_EQ(to_html(Results{}, ".").find("<article"), std::string::npos);
 }
 
+TEST(Html, BeginsWithItsForewordAndHasItsTitle) {
+    document::Document foreword;
+    foreword.title = "mine <keeps> all";
+    foreword.sections = {{"Rasterization", {"As declared."}, {}}};
+    const std::string page = to_html(Results{}, ".", page_budget, {}, &foreword);
+    EXPECT_EQ(occurrences(page, "<title>zproof: mine &lt;keeps&gt; all</title>"), 1u);
+    EXPECT_LT(page.find("<h1>mine &lt;keeps&gt; all</h1>"), page.find("As declared."));
+    EXPECT_LT(page.find("As declared."), page.find("<h1>No view was judged, so nothing is proven.</h1>"));
+    EXPECT_EQ(occurrences(page, "<main>"), 1u);
+}
+
 }  // namespace
 
 TEST(Html, HoldsOneScriptThatItsPolicyAdmitsAndNoAddress) {

@@ -74,6 +74,7 @@ ViewResult room() {
                   .runners_up = {{"only 4 sub-pixel bits", "Declared: 8.", 1, 2, 3, 1000, "", 0.5}}};
     v.diagnosis->further[0].fitted = "1 of <16>";
     v.notes = {"3 lines were skipped."};
+    v.attributes = {"bary"};
     v.oracles = {OracleResult{.name = "povray", .absent = "", .worst = {v.worst[0]}},
                  OracleResult{.name = "opengl", .absent = "no <device>"}};
     v.oracles[0].worst[0].explanation = "The <oracle> is wrong.";
