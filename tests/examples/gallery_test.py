@@ -2,7 +2,7 @@
 """The gallery's adapters (docs/gallery.md): as declared, no pixel of theirs is a defect. `./dev test --full`
 installs the renderers.
 
-    gallery_test.py ZPROOF SOURCE open3d|vtk|blender
+    gallery_test.py ZPROOF SOURCE open3d|vtk|blender|bullet|cgal|mesh_bvh
 """
 import os
 import subprocess
@@ -32,10 +32,33 @@ def blender_command(source, _):
     return f'{PYTHON} {source}/examples/gallery/blender_render.py {{scene}} {{camera}} {{out}}'
 
 
+def compiled(source, folder, name, *words):
+    program = os.path.join(folder, name)
+    subprocess.run(['g++', '-O2', '-std=c++17', '-I', f'{source}/examples/contract',
+                    f'{source}/examples/gallery/{name}.cpp', '-o', program, *words], check=True)
+    return f'{program} {{scene}} {{camera}} {{out}}'
+
+
+def bullet_command(source, folder):
+    return compiled(source, folder, 'bullet_render', '-I', '/usr/include/bullet', '-lBulletCollision', '-lLinearMath')
+
+
+def cgal_command(source, folder):
+    return compiled(source, folder, 'cgal_render', '-frounding-math', '-lgmp', '-lmpfr')
+
+
+def mesh_bvh_command(source, folder):
+    subprocess.run(['npm', 'install', '--prefix', folder, 'three@0.187', 'three-mesh-bvh@0.9'], check=True)
+    return (f'MODULES={folder} {PYTHON} {source}/examples/gallery/mesh_bvh_render.py {{scene}} {{camera}} {{out}}')
+
+
 RENDERERS = {
     'open3d': ('open3d', open3d_command),
     'vtk': ('vtk', vtk_command),
     'blender': ('cycles', blender_command),
+    'bullet': ('ray,barycentric_tolerance=1e-4,depth_of_range=3e-7', bullet_command),
+    'cgal': ('ray,arithmetic=float64', cgal_command),
+    'mesh_bvh': ('ray,arithmetic=float64', mesh_bvh_command),
 }
 
 
