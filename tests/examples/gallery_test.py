@@ -2,7 +2,7 @@
 """The gallery's adapters (docs/gallery.md): as declared, no pixel of theirs is a defect. `./dev test --full`
 installs the renderers.
 
-    gallery_test.py ZPROOF SOURCE open3d|vtk|blender|bullet|cgal|mesh_bvh
+    gallery_test.py ZPROOF SOURCE open3d|vtk|blender|bullet|cgal|ode|mesh_bvh
 """
 import os
 import subprocess
@@ -47,6 +47,10 @@ def cgal_command(source, folder):
     return compiled(source, folder, 'cgal_render', '-frounding-math', '-lgmp', '-lmpfr')
 
 
+def ode_command(source, folder):
+    return compiled(source, folder, 'ode_render', '-lode')
+
+
 def mesh_bvh_command(source, folder):
     subprocess.run(['npm', 'install', '--prefix', folder, 'three@0.187', 'three-mesh-bvh@0.9'], check=True)
     return (f'MODULES={folder} {PYTHON} {source}/examples/gallery/mesh_bvh_render.py {{scene}} {{camera}} {{out}}')
@@ -58,6 +62,7 @@ RENDERERS = {
     'blender': ('cycles', blender_command),
     'bullet': ('ray,barycentric_tolerance=1e-4,depth_of_range=3e-7', bullet_command),
     'cgal': ('ray,arithmetic=float64', cgal_command),
+    'ode': ('ray,test=moeller_trumbore', ode_command),
     'mesh_bvh': ('ray,arithmetic=float64', mesh_bvh_command),
 }
 
