@@ -33,12 +33,22 @@ void save_picture(const std::string& file, const py::object& picture) {
     api::save_picture(file, {int(array.shape(1)), int(array.shape(0))}, values_of(array));
 }
 
+py::array_t<float> load_picture(const std::string& file) {
+    api::LoadedPicture loaded;
+    {
+        const py::gil_scoped_release released;
+        loaded = api::load_picture(file);
+    }
+    return array_taking(std::move(loaded.rgb), {loaded.size.height, loaded.size.width, 3});
+}
+
 }  // namespace
 
 void bind_filters(py::module_& module) {
     using py::arg;
     module.def("truth", &truth_of, arg("scene"), arg("view"), arg("reconstruction"));
     module.def("save_picture", &save_picture, arg("file"), arg("picture"));
+    module.def("load_picture", &load_picture, arg("file"));
     module.def(
         "save_scene",
         [](const api::Scene& scene, const std::vector<api::View>& views, const std::string& folder) {

@@ -44,4 +44,15 @@ void save_picture(const std::string& file, Size size, std::span<const float> rgb
     told_as_input_error([&] { write_picture(file, picture); });
 }
 
+LoadedPicture load_picture(const std::string& file) {
+    return told_as_input_error([&] {
+        const Picture picture = read_picture(file);
+        LoadedPicture loaded{.size = {picture.size().width, picture.size().height}, .rgb = {}};
+        loaded.rgb.reserve(3 * picture.pixels().size());
+        for (const LinearRgb& colour : picture.pixels())
+            for (const float channel : {colour.r, colour.g, colour.b}) loaded.rgb.push_back(channel);
+        return loaded;
+    });
+}
+
 }  // namespace zproof::api
