@@ -118,9 +118,7 @@ ExitCode execute(const FiltersCheckArguments& arguments) {
     std::size_t views_judged = 0;
     for (const StudyScene& source : sources) {
         if (interrupted()) break;
-        const Resolution natural = natural_resolution(source);
-        const Loaded loaded = load(
-            source, {arguments.width.value_or(natural.width), arguments.height.value_or(natural.height)});
+        const Loaded loaded = load(source, {arguments.width, arguments.height}, arguments.common);
         const std::vector<View> views = chosen_views(loaded, arguments.views);
         checker.begin_scene(views.size());
         views_judged += views.size();

@@ -54,8 +54,8 @@ std::string table_of(const PublishedResult& result, const std::vector<PublishedF
                      .rows = {}};
     for (const PublishedFigure& f : figures)
         table.rows.push_back({f.what, fixed(f.published, f.decimals), fixed(f.ours, f.decimals),
-                              fixed(rounded_to(f.ours - f.published, f.decimals), f.decimals),
-                              f.unit, word_for(f), verdict_on(f)});
+                              fixed(rounded_to(f.ours - f.published, f.decimals), f.decimals), f.unit,
+                              word_for(f), verdict_on(f)});
     return terminal_table(table);
 }
 
