@@ -102,6 +102,64 @@ def test_a_picture_that_is_not_in_the_study(study):
         filters.Table().truth()
 
 
+def own_bilinear(coordinates, jacobian, levels):
+    light = levels[0].astype(float)
+    rows, columns, _ = light.shape
+    low = np.floor(coordinates - 0.5)
+    (s, t), (i, j) = (coordinates - 0.5 - low).T[..., None], low.astype(int).T
+
+    def texel(di, dj):
+        return light[(j + dj) % rows, (i + di) % columns]
+
+    return (1 - t) * ((1 - s) * texel(0, 0) + s * texel(1, 0)) + t * ((1 - s) * texel(0, 1) + s * texel(1, 1))
+
+
+def own_nearest_level(coordinates, jacobian, levels):
+    """The nearest texel of the level that is nearest to the longer step."""
+    lod = np.log2(np.maximum(np.linalg.norm(jacobian[..., 0], axis=1), np.linalg.norm(jacobian[..., 1], axis=1)))
+    chosen = np.clip(np.ceil(lod + 0.5) - 1, 0, len(levels) - 1).astype(int)
+    colours = np.empty((len(coordinates), 3))
+    for level in np.unique(chosen):
+        at, image = chosen == level, levels[level]
+        i, j = np.floor(coordinates[at] / 2.0**level).astype(int).T
+        colours[at] = image[j % image.shape[0], i % image.shape[1]]
+    return colours
+
+
+def test_methods_of_ones_own_are_ranked_and_held_to_their_claims(ground):
+    study = filters.run(["bilinear"], *ground, own={"mine": own_bilinear, "levels": own_nearest_level},
+                        claims={"mine": "bilinear", "levels": "mip-nearest-point"})
+    assert np.abs(study.picture("mine") - study.picture("bilinear")).max() < 1e-6
+    rmse = dict(zip(*(study.rows(region="interior")[column] for column in ("method", "rmse"))))
+    assert rmse["mine"] == pytest.approx(rmse["bilinear"], rel=1e-5) and rmse["levels"] != rmse["mine"]
+    assert set(study.outside.values()) == {0}
+    assert sorted(name for _, _, name in study.outside) == ["levels", "mine"]
+    assert filters.check(filters.paint(own_bilinear, *ground), "bilinear", *ground)
+    assert not filters.check(filters.paint(own_nearest_level, *ground), "bilinear", *ground)
+
+
+def test_batches_change_nothing(ground):
+    sizes = []
+
+    def counted(coordinates, jacobian, levels):
+        sizes.append(len(coordinates))
+        return own_bilinear(coordinates, jacobian, levels)
+
+    whole, parts = filters.paint(own_bilinear, *ground), filters.paint(counted, *ground, batch=100)
+    assert np.array_equal(whole, parts)
+    assert max(sizes) == 100 and sum(sizes) == np.count_nonzero(
+        zproof.trace(*ground).id != zproof.BACKGROUND_ID)
+
+
+def test_methods_of_ones_own_that_are_refused(ground):
+    with pytest.raises(ValueError, match=r"gave \(3,\) for"):
+        filters.paint(lambda coordinates, jacobian, levels: np.zeros(3), *ground)
+    with pytest.raises(ValueError, match="is the name of a picture, too"):
+        filters.run(["nearest"], *ground, own={"a": own_bilinear}, pictures={"a": np.zeros((32, 48, 3), np.float32)})
+    with pytest.raises(ValueError, match="expects a zproof.Scene"):
+        filters.run(["nearest"], "worked", "phi-0", own={"a": own_bilinear})
+
+
 def test_check_of_a_wrong_picture_tells_numbers(ground):
     grey = np.full((32, 48, 3), 0.25, np.float32)
     check = filters.check(grey, "nearest", *ground)

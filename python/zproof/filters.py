@@ -133,13 +133,39 @@ def truth(scene, view, reconstruction="N", *, half_width=False):
     return (mean, half) if half_width else mean
 
 
-def run(methods, scene, view=None, *, pictures=None, claims=None, precision=None, truth="N", size=None, flicker=2,
+def paint(method, scene, view, *, batch=1 << 16):
+    """The picture that a texture filter of one's own makes of a view: float32 (height, width, 3), linear light.
+
+    method(coordinates, jacobian, levels) -> colours is called with at most `batch` pixels of one texture at a time:
+    coordinates: float64 (n, 2), u and v of the pixels' centres in texels of level 0, whose texel (0, 0) covers [0, 1).
+    jacobian: float64 (n, 2, 2), [[du/dx, du/dy], [dv/dx, dv/dy]] in texels per pixel.
+    levels: the box mip chain, float32 (rows, columns, 3) each, linear light; level 0 is the texture.
+    colours: (n, 3), linear light. What lies beyond an edge is the method's to decide: textures of Scene() repeat.
+
+    Which surface a pixel shows is decided in exact geometry, as for zproof's own methods. Raises ValueError.
+    """
+    picture, textures = _zproof.filter_task(scene, view)
+    flat = picture.reshape(-1, 3)
+    for pixels, coordinates, jacobian, levels in textures:
+        for first in range(0, len(pixels), batch):
+            part = slice(first, first + batch)
+            colours = numpy.asarray(method(coordinates[part], jacobian[part], levels))
+            if colours.shape != (len(pixels[part]), 3):
+                raise ValueError(f"the method gave {colours.shape} for {len(pixels[part])} pixels; expected "
+                                 f"({len(pixels[part])}, 3)")
+            flat[pixels[part]] *= colours
+    return picture.astype(numpy.float32)
+
+
+def run(methods, scene, view=None, *, own=None, pictures=None, claims=None, precision=None, truth="N", size=None, flicker=2,
         folder=None):
     """A study: methods and pictures of one's own, held against the truth.
 
     methods: a list of names with settings, ["nearest", "trilinear-gl:bias=0.5"] (`zproof filters list`).
     scene: a Scene with uv and texture, then with a view; or the name of a filter scene or a model file, then with the
     name of a view or None for all.
+    own: {name: a method of one's own, as paint() takes it}, of a Scene and a view. They stand beside the methods as
+    pictures do, and may have claims.
     pictures: {name: float32 (height, width, 3)}, linear light, of one view. truth: as in truth().
     claims: {name of a picture: the method that it claims to be of}; `precision`, as in check(), is promised of them.
     size: (width, height) of named scenes. flicker: further views, each a fraction of a pixel on.
@@ -153,7 +179,7 @@ def run(methods, scene, view=None, *, pictures=None, claims=None, precision=None
         words += ["--methods", ",".join(methods), "--truth", truth, "--flicker", str(flicker), "-o", study.folder]
         if not isinstance(pictures or {}, dict):
             raise TypeError(f"pictures is a {type(pictures).__name__}; expected a dict of names and arrays")
-        for name, picture in (pictures or {}).items():
+        for name, picture in {**(pictures or {}), **_painted(own or {}, pictures or {}, scene, view)}.items():
             words += ["--picture", f"{name}={_picture_file(picture, scratch, name)}"]
         for name, method in (claims or {}).items():
             words += ["--claim", f"{name}={method}"]
@@ -185,6 +211,14 @@ def check(picture, method, scene, view, *, precision=None, size=None):
             words += ["--precision", precision]
         told = json.loads(_program([*words, "--json"], {0, 1, 3}).stdout)
         return Check(told["pictures"][0])
+
+
+def _painted(own, pictures, scene, view):
+    if own and not (isinstance(scene, _zproof.Scene) and isinstance(view, _zproof.View)):
+        raise ValueError("own: a method of one's own expects a zproof.Scene and a zproof.View")
+    for name in own.keys() & pictures.keys():
+        raise ValueError(f"own: {name!r} is the name of a picture, too")
+    return {name: paint(method, scene, view) for name, method in own.items()}
 
 
 def _scene_words(scene, view, size, scratch):

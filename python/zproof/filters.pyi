@@ -1,5 +1,5 @@
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Literal, overload
 
 import numpy as np
@@ -46,11 +46,15 @@ def truth(
 def truth(
     scene: Scene, view: View, reconstruction: str = "N", *, half_width: Literal[True]
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]: ...
+_Method = Callable[[NDArray[np.float64], NDArray[np.float64], list[NDArray[np.float32]]], NDArray[Any]]
+
+def paint(method: _Method, scene: Scene, view: View, *, batch: int = 65536) -> NDArray[np.float32]: ...
 def run(
     methods: Iterable[str],
     scene: Scene | str | os.PathLike[str],
     view: View | str | None = None,
     *,
+    own: Mapping[str, _Method] | None = None,
     pictures: Mapping[str, _Picture] | None = None,
     claims: Mapping[str, str] | None = None,
     precision: str | None = None,
