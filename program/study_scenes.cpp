@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 
+#include "frame/printable.h"
 #include "program/nearest_word.h"
 #include "program/scene_selection.h"
 #include "program/usage_error.h"
@@ -79,6 +81,20 @@ Resolution natural_resolution(const StudyScene& scene) {
 
 int natural_first_row(const StudyScene& scene, int height) {
     return scene.word == worked ? worked_first_row * height / worked_side : 0;
+}
+
+Loaded load(const StudyScene& scene, const AskedSize& asked, const CommonArguments& common) {
+    const Resolution natural = natural_resolution(scene),
+                     size{asked.width.value_or(natural.width), asked.height.value_or(natural.height)};
+    Loaded loaded = load(scene, size);
+    const auto other = std::ranges::find_if(loaded.views, [&](const View& view) {
+        return (asked.width && view.width != size.width) || (asked.height && view.height != size.height);
+    });
+    if (other != loaded.views.end() && !common.is_quiet())
+        std::cerr << "zproof: " << one_line(scene.word) << ": the view '" << one_line(other->name)
+                  << "' states its own size, " << other->width << " x " << other->height
+                  << "; --width and --height change nothing\n";
+    return loaded;
 }
 
 std::vector<View> chosen_views(const Loaded& loaded, const std::vector<std::string>& requested) {

@@ -1,10 +1,12 @@
 /// Turns words of the command line into the scenes of a study.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "frame/plane.h"
+#include "program/common_arguments.h"
 #include "scenes/loaded.h"
 
 namespace zproof {
@@ -21,6 +23,13 @@ std::vector<StudyScene> study_scenes(const std::vector<std::string>& words);
 
 /// Throws SceneError.
 Loaded load(const StudyScene& scene, Resolution resolution);
+
+/// The size that was asked for, or the scene's natural one. Where its views state another one themselves, a
+/// line on stderr says so, unless the command is quiet. Throws SceneError.
+struct AskedSize {
+    std::optional<int> width, height;
+};
+Loaded load(const StudyScene& scene, const AskedSize& asked, const CommonArguments& common);
 
 /// Those of its views that were asked for, all where none is named. Throws UsageError where it has none of
 /// them.

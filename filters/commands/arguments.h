@@ -75,13 +75,16 @@ struct FiltersCrowArguments {
     RenderSettings settings{.resolution = {512, 512}};
 };
 
+enum class CheckFormat { lines, json };
+
 struct FiltersCheckArguments {
     CommonArguments common;
-    std::vector<FilterChoice> methods;         ///< at least one; with a picture exactly one
-    std::vector<std::string> scenes;           ///< empty: every built-in filter scene
-    std::vector<std::string> views;            ///< empty: all of every scene
-    std::optional<int> width, height;          ///< pixels; none: the scene's own
-    std::filesystem::path picture;             ///< somebody's own, in place of ours; empty: none
+    std::vector<FilterChoice> methods;  ///< at least one; with a picture exactly one
+    std::vector<std::string> scenes;    ///< empty: every built-in filter scene
+    std::vector<std::string> views;     ///< empty: all of every scene
+    std::optional<int> width, height;   ///< pixels; none: the scene's own
+    std::filesystem::path picture;      ///< somebody's own, in place of ours; empty: none
+    CheckFormat format = CheckFormat::lines;
     std::optional<FilterPrecision> precision;  ///< none: what zproof's own filters promise
 };
 

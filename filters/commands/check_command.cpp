@@ -1,8 +1,7 @@
-#include <iomanip>
 #include <iostream>
 #include <sstream>
 
-#include "filters/commands/check_power.h"
+#include "filters/commands/checked_picture.h"
 #include "filters/commands/claim.h"
 #include "filters/commands/commands.h"
 #include "filters/commands/joint_check.h"
@@ -22,48 +21,12 @@ using selftest::ConformanceResult;
 using selftest::FilterClaim;
 using selftest::FilterFixture;
 
-/// "0 of 262144 pixels outside, slack 0.93"
-std::string found_in_words(const ConformanceResult& result) {
-    if (result.is_caught()) return selftest::in_words(result);
-    std::ostringstream text;
-    text << "no pixel of " << result.found.judged << " outside, slack " << std::setprecision(3)
-         << result.found.worst_slack;
-    if (result.found.anything > 0) text << "; " << result.found.anything << " undecided";
-    if (result.chance) text << "; " << selftest::in_words(*result.chance);
-    return text.str();
-}
-
-std::string where_in_words(const Conformance& found) {
-    if (!found.where) return "";
-    std::ostringstream text;
-    text << "; worst at (" << found.worst.x << ", " << found.worst.y << "), all within columns "
-         << found.where->first.x << " to " << found.where->last.x << ", rows " << found.where->first.y
-         << " to " << found.where->last.y;
-    return text.str();
-}
-
 Picture picture_of(const FilterFixture& fixture, const FilterChoice& choice,
                    const std::filesystem::path& own) {
     if (own.empty())
         return rasterizer::filtered(fixture.scene, fixture.view, fixture.frame, choice.texturing);
     return picture_in(own, fixture.view);
 }
-
-/// The picture against its promise as a whole, and what the check could have seen of one that passes.
-struct WholePicture {
-    std::optional<JointConformance> joint;
-    std::optional<CheckPower> power;
-
-    bool is_open() const { return power && !power->proves_something(); }
-
-    /// Estimates mean nothing where any picture would pass.
-    std::vector<std::string> words(const Conformance& found) const {
-        std::vector<std::string> lines;
-        if (joint) lines = is_open() ? std::vector{promised_in_words(*joint)} : in_words(*joint);
-        if (power) std::ranges::copy(in_words(*power, found), std::back_inserter(lines));
-        return lines;
-    }
-};
 
 /// Judges every method on one view; how many of them keep to their definition.
 class FilterChecker {
@@ -84,24 +47,14 @@ class FilterChecker {
     void judge(const FilterFixture& fixture) {
         for (const FilterChoice& choice : arguments_.methods) {
             if (interrupted()) return;
-            const std::string name =
-                fixture.scene.name + " / " + fixture.view.name + ": " + choice.typed + ": ";
-            progress_.begin(name);
-            const Picture picture = picture_of(fixture, choice, arguments_.picture);
-            const FilterClaim claim = claim_of(choice, arguments_.precision);
-            const ConformanceResult result = selftest::conformance_of(picture, fixture, claim);
-            const WholePicture whole = whole_picture(picture, fixture, claim, result);
-            const bool is_wrong = result.is_caught() || (whole.joint && whole.joint->leaves_promise());
-            const bool is_open = !is_wrong && whole.is_open();
-            tell((is_wrong  ? "FAILED  "
-                  : is_open ? "nothing "
-                            : "passed  ") +
-                 name + found_in_words(result) +
-                 selftest::causes_in_words(causes_of(picture, fixture, claim, result)) +
-                 where_in_words(result.found) + "\n");
-            for (const std::string& line : whole.words(result.found)) tell("        " + line + "\n");
+            progress_.begin(fixture.scene.name + " / " + fixture.view.name + ": " + choice.typed + ": ");
+            const CheckedPicture checked = judged(fixture, choice);
+            if (arguments_.format == CheckFormat::json)
+                json_.push_back(to_json(checked));
+            else if (!arguments_.common.is_quiet())
+                progress_.say(std::cout, in_words(checked));
             ++judged_;
-            failed_ += is_wrong, open_ += is_open;
+            failed_ += checked.is_wrong(), open_ += checked.is_open();
         }
     }
 
@@ -111,7 +64,9 @@ class FilterChecker {
              << " within the reference of their method, " << failed_ << " not";
         if (open_ > 0) line << ", " << open_ << " of which nothing is proved";
         line << "\n";
-        progress_.say(std::cout, line.str());
+        const nlohmann::json pictures{{"pictures", json_}};
+        progress_.say(std::cout,
+                      arguments_.format == CheckFormat::json ? pictures.dump(2) + "\n" : line.str());
         if (std::size_t(judged_) < expected_ || scenes_left_ > 0)
             return say_interrupted({std::size_t(judged_), expected_, scenes_left_}, "picture", "judged");
         if (judged_ == 0) return ExitCode::nothing;
@@ -120,16 +75,22 @@ class FilterChecker {
     }
 
   private:
-    /// What is asked of the picture as a whole. Beside zproof's own promise, which is exact, no joint error
-    /// could hide, and every defect that shows is seen.
-    WholePicture whole_picture(const Picture& picture, const FilterFixture& fixture, const FilterClaim& claim,
-                               const ConformanceResult& result) const {
-        if (!arguments_.precision && arguments_.picture.empty()) return {};
-        const JointCheck check = joint_check_of(fixture, claim);
-        WholePicture whole{.joint = check.judge(picture), .power = {}};
-        const bool is_right = !result.is_caught() && !whole.joint->leaves_promise();
-        if (is_right) whole.power = power_of(fixture, claim, result.found, check);
-        return whole;
+    /// Beside zproof's own promise, which is exact, no joint error could hide, and every defect that shows is
+    /// seen.
+    CheckedPicture judged(const FilterFixture& fixture, const FilterChoice& choice) const {
+        const Picture picture = picture_of(fixture, choice, arguments_.picture);
+        const FilterClaim claim = claim_of(choice, arguments_.precision);
+        CheckedPicture checked{.scene = fixture.scene.name,
+                               .view = fixture.view.name,
+                               .method = choice.typed,
+                               .result = selftest::conformance_of(picture, fixture, claim)};
+        if (arguments_.precision || !arguments_.picture.empty()) {
+            const JointCheck check = joint_check_of(fixture, claim);
+            checked.joint = check.judge(picture);
+            if (!checked.is_wrong()) checked.power = power_of(fixture, claim, checked.result.found, check);
+        }
+        checked.causes = causes_of(picture, fixture, claim, checked.result);
+        return checked;
     }
 
     static std::vector<std::string> causes_of(const Picture& picture, const FilterFixture& fixture,
@@ -139,11 +100,8 @@ class FilterChecker {
                                    selftest::likely_changes(fixture.scene, claim));
     }
 
-    void tell(const std::string& line) {
-        if (!arguments_.common.is_quiet()) progress_.say(std::cout, line);
-    }
-
     const FiltersCheckArguments& arguments_;
+    nlohmann::json json_ = nlohmann::json::array();
     int judged_ = 0, failed_ = 0, open_ = 0;  ///< open: nothing is proved
     std::size_t expected_ = 0;                ///< pictures of the scenes that were begun
     std::size_t scenes_left_;
@@ -160,9 +118,7 @@ ExitCode execute(const FiltersCheckArguments& arguments) {
     std::size_t views_judged = 0;
     for (const StudyScene& source : sources) {
         if (interrupted()) break;
-        const Resolution natural = natural_resolution(source);
-        const Loaded loaded = load(
-            source, {arguments.width.value_or(natural.width), arguments.height.value_or(natural.height)});
+        const Loaded loaded = load(source, {arguments.width, arguments.height}, arguments.common);
         const std::vector<View> views = chosen_views(loaded, arguments.views);
         checker.begin_scene(views.size());
         views_judged += views.size();

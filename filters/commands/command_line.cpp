@@ -144,6 +144,8 @@ void add_check(CLI::App& app, FiltersWords& words) {
         ->type_name("VIEW");
     app.add_option("--picture", words.check.picture, "judge this picture (.exr) of one method and one view");
     add_precision(app, words.precision);
+    app.add_flag_callback(
+        "--json", [&words] { words.check.format = CheckFormat::json; }, "for programs");
     add_size(app, words.check.width, words.check.height);
     add_common(app, words.check.common);
     add_isa(app);

@@ -21,7 +21,7 @@ ExitCode execute(const FiltersScenesArguments& arguments);
 /// Prints a study's table.
 ExitCode execute(const FiltersTableArguments& arguments);
 
-/// Prints published figures beside those that zproof computes.
+/// Prints published figures beside those that zproof computes; a defect where one is not confirmed.
 ExitCode execute(const FiltersReproduceArguments& arguments);
 
 /// Makes a study's figures and page again, as chosen.

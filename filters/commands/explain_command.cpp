@@ -35,9 +35,7 @@ ClaimedPixel claimed_pixel(const FiltersExplainArguments& arguments, const Scene
 
 ExitCode execute(const FiltersExplainArguments& arguments) {
     const StudyScene source = study_scenes({arguments.scene}).front();
-    const Resolution natural = natural_resolution(source);
-    const Loaded loaded =
-        load(source, {arguments.width.value_or(natural.width), arguments.height.value_or(natural.height)});
+    const Loaded loaded = load(source, {arguments.width, arguments.height}, arguments.common);
     const View view = view_of(loaded, arguments);
     std::vector<study::ConfiguredMethod> methods;
     for (const FilterChoice& choice : arguments.methods) methods.push_back(configured(choice));

@@ -5,6 +5,7 @@
 #include "filters/commands/commands.h"
 #include "filters/report/tables.h"
 #include "filters/study/published_results.h"
+#include "frame/number_text.h"
 #include "program/common_arguments.h"
 #include "program/nearest_word.h"
 #include "reports/wording.h"
@@ -22,19 +23,39 @@ std::vector<std::string> names_of_results() {
 }
 
 /// As it is shown: no "-0.00".
-double rounded(double value, int decimals) {
+double rounded_to(double value, int decimals) {
     const double scale = std::pow(10, decimals), whole = std::round(value * scale);
     return whole == 0 ? 0 : whole / scale;
 }
 
-std::string table_of(const PublishedResult& result) {
+std::string word_for(const PublishedFigure& figure) {
+    switch (figure.as) {
+        case study::PublishedAs::measurement:
+        case study::PublishedAs::measurement_elsewhere:
+            return "measurement";
+        case study::PublishedAs::identity:
+            return "identity";
+        case study::PublishedAs::expectation:
+            return "expectation, +- " + rounded(figure.standard_error);
+    }
+    return "";
+}
+
+std::string table_of(const PublishedResult& result, const std::vector<PublishedFigure>& figures) {
     TableCells table{.title = std::string{result.name} + ": " + std::string{result.sentence} + "\n(" +
                               std::string{result.source} + ")",
-                     .columns = {{"figure", true}, {"published"}, {"ours"}, {"difference"}, {"unit", true}},
+                     .columns = {{"figure", true},
+                                 {"published"},
+                                 {"ours"},
+                                 {"difference"},
+                                 {"unit", true},
+                                 {"published as", true},
+                                 {"verdict", true}},
                      .rows = {}};
-    for (const PublishedFigure& f : result.figures())
+    for (const PublishedFigure& f : figures)
         table.rows.push_back({f.what, fixed(f.published, f.decimals), fixed(f.ours, f.decimals),
-                              fixed(rounded(f.ours - f.published, f.decimals), f.decimals), f.unit});
+                              fixed(rounded_to(f.ours - f.published, f.decimals), f.decimals), f.unit,
+                              word_for(f), verdict_on(f)});
     return terminal_table(table);
 }
 
@@ -45,16 +66,19 @@ ExitCode execute(const FiltersReproduceArguments& arguments) {
     for (const std::string& name : arguments.names)
         require_known(name, {.words = known, .place = "filters reproduce:", .kind = "result"});
     const char* gap = "";
+    bool is_refuted = false;
     for (const PublishedResult& result : study::published_results()) {
         if (!arguments.names.empty() &&
             std::ranges::find(arguments.names, result.name) == arguments.names.end())
             continue;
-        std::string table;
-        on_threads(arguments.common.threads, [&] { table = table_of(result); });
-        std::cout << gap << table << std::flush;
+        std::vector<PublishedFigure> figures;
+        on_threads(arguments.common.threads, [&] { figures = result.figures(); });
+        std::cout << gap << table_of(result, figures) << std::flush;
         gap = "\n";
+        is_refuted |= std::ranges::any_of(
+            figures, [](const PublishedFigure& figure) { return is_confirmed(figure) == false; });
     }
-    return ExitCode::proven;
+    return is_refuted ? ExitCode::defect : ExitCode::proven;
 }
 
 }  // namespace zproof

@@ -58,9 +58,7 @@ class FilterStudyRun {
     void leave(const StudyScene&) { ++scenes_left_; }  ///< interrupted: not even loaded
 
     void study_scene(const StudyScene& source) {
-        const Resolution natural = natural_resolution(source);
-        const Loaded loaded = load(
-            source, {arguments_.width.value_or(natural.width), arguments_.height.value_or(natural.height)});
+        const Loaded loaded = load(source, {arguments_.width, arguments_.height}, arguments_.common);
         const std::vector<View> views = chosen_views(loaded, arguments_.views);
         require_a_file_for_each(arguments_.pictures, 1, views.size());
         for (const View& view : views)

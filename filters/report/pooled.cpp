@@ -62,9 +62,9 @@ std::string line_from(double x0, double y0, double x1, double y1, const char* co
 std::string row_of(const PooledMethod& method, const Ruler& ruler, double y) {
     std::string text = text_at(label_width - 10, y + 4, "end", method.label);
     if (!std::isfinite(method.mean)) return text;
-    const double low = ruler.across(method.mean_spread.low), high = ruler.across(method.mean_spread.high);
-    return text + line_from(low, y, high, y, "#0072b2") + "<circle cx=\"" +
-           fixed(ruler.across(method.mean), 1) + "\" cy=\"" + fixed(y, 1) +
+    const auto& [low, high] = method.mean_spread;
+    if (std::isfinite(low)) text += line_from(ruler.across(low), y, ruler.across(high), y, "#0072b2");
+    return text + "<circle cx=\"" + fixed(ruler.across(method.mean), 1) + "\" cy=\"" + fixed(y, 1) +
            "\" r=\"3.5\" fill=\"#0072b2\"/>\n";
 }
 
@@ -162,7 +162,7 @@ Plot pooled_plot(const StudyResults& results, const PooledScores& pool) {
     const MetricCard& metric = metric_of(results, pool);
     Ruler ruler;
     for (const PooledMethod& m : pool.methods)
-        for (const double end : {m.mean_spread.low, m.mean_spread.high}) ruler.reach(end);
+        for (const double value : {m.mean, m.mean_spread.low, m.mean_spread.high}) ruler.reach(value);
     const double bottom = top + row_height * double(pool.methods.size());
     std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + fixed(width, 0) +
                       "\" height=\"" + fixed(bottom + 10, 0) +

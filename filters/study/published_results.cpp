@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "filters/methods/catalogue.h"
 #include "filters/reference/admissible_surfaces.h"
@@ -27,11 +28,12 @@ std::vector<PublishedFigure> crow_1984() {
     for (const CrowQuestion& question : answers.questions)
         for (const CrowAnswer& answer : question.answers)
             if (answer.method == "sat-affine" && question.per_x.y == 0 && question.per_y.x == 0)
-                figures.push_back({"table's error, " + question.region + " texels", "", 0, answer.rmse, 4});
+                figures.push_back({"table's error, " + question.region + " texels", "", 0, answer.rmse, 4,
+                                   PublishedAs::identity});
     for (const BetweenLevels& between : answers.levels)
         if (between.side == 5)
             figures.push_back({"level above " + std::to_string(between.level) + " of a side of 5", "levels",
-                               0.3219, between.by_logarithm, 4});
+                               0.3219, between.by_logarithm, 4, PublishedAs::identity});
     return figures;
 }
 
@@ -81,7 +83,8 @@ std::vector<PublishedFigure> hensley_2005() {
     for (const auto& [name, bits] : {Format{"s10e5", 10}, Format{"s16e7", 16}})
         figures.push_back(
             {std::string{"gain of the offset, on 1/f noise of 8 bits, "} + name, "dB", 31,
-             snr_db(texels, side, sum / double(texels.size()), bits) - snr_db(texels, side, 0, bits), 1});
+             snr_db(texels, side, sum / double(texels.size()), bits) - snr_db(texels, side, 0, bits), 1,
+             PublishedAs::measurement_elsewhere});
     return figures;
 }
 
@@ -117,8 +120,10 @@ std::vector<PublishedFigure> lauritzen_2007() {
             lowest = std::min(
                 lowest, bound(of_grey, left, top, size, double(level)) - share(grey, left, top, size, level));
     }
-    return {{"two values: the bound's greatest distance from the share", "", 0, farthest, 9},
-            {"1/f noise: how far the bound falls below the share", "", 0, std::max(0.0, -lowest), 9}};
+    constexpr PublishedAs identity = PublishedAs::identity;
+    return {
+        {"two values: the bound's greatest distance from the share", "", 0, farthest, 9, identity},
+        {"1/f noise: how far the bound falls below the share", "", 0, std::max(0.0, -lowest), 9, identity}};
 }
 
 /// What methods draw of a scene's first view.
@@ -138,25 +143,47 @@ class Drawing {
     Frame frame_;
 };
 
-struct Difference {
-    double mean_square = 0, most = 0;
-};
+/// Squares of differences, channel by channel.
+std::vector<double> square_differences(const LinearPicture& a, const LinearPicture& b) {
+    std::vector<double> squares;
+    for (std::size_t i = 0; i < a.pixels().size(); ++i) {
+        const glm::dvec3 d = a.pixels()[i] - b.pixels()[i];
+        squares.push_back(glm::dot(d, d));
+    }
+    return squares;
+}
 
-Difference difference(const LinearPicture& a, const LinearPicture& b) {
-    Difference found;
+double greatest_difference(const LinearPicture& a, const LinearPicture& b) {
+    double most = 0;
     for (std::size_t i = 0; i < a.pixels().size(); ++i) {
         const glm::dvec3 d = glm::abs(a.pixels()[i] - b.pixels()[i]);
-        found.mean_square += glm::dot(d, d) / (3 * double(a.pixels().size()));
-        found.most = std::max({found.most, d.r, d.g, d.b});
+        most = std::max({most, d.r, d.g, d.b});
     }
-    return found;
+    return most;
 }
 
 /// 16 taps, and four bilinear reads at places of their own.
 std::vector<PublishedFigure> sigg_hadwiger_2005() {
     const Drawing drawing{"magnification", 128};
     return {{"greatest difference of 16 taps and 4 bilinear reads", "", 0,
-             difference(drawing.by("bspline"), drawing.by("bspline-bilinear")).most, 7}};
+             greatest_difference(drawing.by("bspline"), drawing.by("bspline-bilinear")), 7,
+             PublishedAs::identity}};
+}
+
+struct Ratio {
+    double value = 0, standard_error = 0;
+};
+
+/// The ratio of two sums over pixels; pixels are drawn independently, though both sums may share draws.
+Ratio ratio_of_sums(const std::vector<double>& above, const std::vector<double>& below) {
+    const double sum_below = std::accumulate(below.begin(), below.end(), 0.0),
+                 value = std::accumulate(above.begin(), above.end(), 0.0) / sum_below;
+    double squares = 0;
+    for (std::size_t i = 0; i < above.size(); ++i) {
+        const double rest = above[i] - value * below[i];
+        squares += rest * rest;
+    }
+    return {value, std::sqrt(squares) / sum_below};
 }
 
 /// The mean square distance from the filter that is expected falls as one over the number of samples.
@@ -164,13 +191,15 @@ std::vector<PublishedFigure> stochastic_variance() {
     const Drawing drawing{"worked", 256};
     const LinearPicture expected = drawing.by("trilinear-gl");
     const auto variance = [&](int samples) {
-        return difference(drawing.by("stochastic-trilinear", {.samples = samples}), expected).mean_square;
+        return square_differences(drawing.by("stochastic-trilinear", {.samples = samples}), expected);
     };
-    const double of_one = variance(1);
+    const std::vector<double> of_one = variance(1);
     std::vector<PublishedFigure> figures;
-    for (const int samples : {4, 16, 64})
+    for (const int samples : {4, 16, 64}) {
+        const Ratio ratio = ratio_of_sums(of_one, variance(samples));
         figures.push_back({"variance of 1 sample over that of " + std::to_string(samples), "",
-                           double(samples), of_one / variance(samples), 2});
+                           double(samples), ratio.value, 2, PublishedAs::expectation, ratio.standard_error});
+    }
     return figures;
 }
 
@@ -217,6 +246,20 @@ std::vector<PublishedFigure> worked() {
 }
 
 }  // namespace
+
+std::optional<bool> is_confirmed(const PublishedFigure& figure) {
+    if (figure.as == PublishedAs::measurement_elsewhere) return std::nullopt;
+    const double within = figure.as == PublishedAs::expectation ? 3 * figure.standard_error
+                                                                : 0.5 * std::pow(10, -figure.decimals);
+    return std::abs(figure.ours - figure.published) <= within;
+}
+
+std::string verdict_on(const PublishedFigure& figure) {
+    const std::optional<bool> confirmed = is_confirmed(figure);
+    if (!confirmed) return "other inputs";
+    if (figure.as == PublishedAs::measurement) return *confirmed ? "reproduced" : "not reproduced";
+    return *confirmed ? "holds" : "does not hold";
+}
 
 std::span<const PublishedResult> published_results() {
     static const std::vector<PublishedResult> all{

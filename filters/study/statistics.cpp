@@ -1,6 +1,7 @@
 #include "filters/study/statistics.h"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -93,11 +94,6 @@ std::vector<std::size_t> drawn(std::mt19937& engine, std::size_t count) {
     return textures;
 }
 
-/// What every sample gave, method by method.
-struct Samples {
-    std::vector<std::vector<double>> mean, rank, difference;
-};
-
 /// What each method has more than the baseline, texture by texture.
 Table paired(const Table& table, std::size_t baseline) {
     Table differences = table;
@@ -108,23 +104,22 @@ Table paired(const Table& table, std::size_t baseline) {
     return differences;
 }
 
-Samples sampled(const Table& table, const Table& differences, const PoolChoice& choice,
-                bool higher_is_better) {
-    const std::size_t methods = table.front().size();
-    const std::vector<std::vector<double>> none(methods);
-    Samples samples{none, none, none};
+/// The ranks of every method in every sample.
+std::vector<std::vector<double>> sampled_ranks(const Table& table, const PoolChoice& choice,
+                                               bool higher_is_better) {
+    std::vector<std::vector<double>> samples(table.front().size());
     std::mt19937 engine{choice.seed};
     for (int i = 0; i < choice.samples; ++i) {
-        const std::vector<std::size_t> textures = drawn(engine, table.size());
-        const std::vector<double> mean = means(table, textures), difference = means(differences, textures);
-        const std::vector<int> rank = ranks_of(mean, higher_is_better);
-        for (std::size_t m = 0; m < methods; ++m) {
-            samples.mean[m].push_back(mean[m]);
-            samples.rank[m].push_back(rank[m]);
-            samples.difference[m].push_back(difference[m]);
-        }
+        const std::vector<int> ranks = ranks_of(means(table, drawn(engine, table.size())), higher_is_better);
+        for (std::size_t m = 0; m < ranks.size(); ++m) samples[m].push_back(ranks[m]);
     }
     return samples;
+}
+
+std::vector<double> column_of(const Table& table, std::size_t method) {
+    std::vector<double> column;
+    for (const std::vector<double>& row : table) column.push_back(row[method]);
+    return column;
 }
 
 std::size_t place_of(const std::vector<std::string>& labels, const std::string& label) {
@@ -139,6 +134,28 @@ std::size_t texture_count(const StudyResults& results) {
     std::set<std::string> names;
     for (const ViewStudy& view : results.views) names.insert(view.scene);
     return names.size();
+}
+
+Spread interval_of_mean(std::span<const double> values) {
+    const double count = double(values.size());
+    if (values.size() < 2) return {std::nan(""), std::nan("")};
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+    double squares = 0, cubes = 0;
+    for (const double value : values) {
+        const double off = value - mean;
+        squares += off * off / count, cubes += off * off * off / count;
+    }
+    if (squares == 0) return {mean, mean};
+    const double error = std::sqrt(squares / (count - 1)), root = std::sqrt(count);
+    const double third = cubes / std::pow(squares, 1.5) / 3;  // of the skewness
+    // Hall's transformation g(T) = T + third T^2 + third^2 T^3 / 3 + third / 2n, in units of sqrt(n),
+    // inverted.
+    const auto skewed = [&](double t) {
+        if (std::abs(third) < 1e-6) return t;
+        return root / third * (std::cbrt(1 + 3 * third * (t / root - third / (2 * count))) - 1);
+    };
+    const double t = boost::math::quantile(boost::math::students_t{count - 1}, 0.975);
+    return {mean - error * skewed(t), mean - error * skewed(-t)};
 }
 
 namespace {
@@ -203,17 +220,16 @@ PooledScores pooled(const StudyResults& results, const PoolChoice& choice) {
     const std::size_t baseline = place_of(labels, pool.choice.baseline);
     const Table differences = paired(table, baseline);
     const std::vector<double> difference = means(differences, all);
-    const Samples samples = sampled(table, differences, choice, higher_is_better);
+    const std::vector<std::vector<double>> ranks = sampled_ranks(table, choice, higher_is_better);
     for (std::size_t m = 0; m < labels.size(); ++m)
-        pool.methods.push_back(
-            {.label = labels[m],
-             .mean = mean[m],
-             .mean_spread = spread_of(samples.mean[m]),
-             .rank = rank[m],
-             .rank_spread = spread_of(samples.rank[m]),
-             .first_share = double(std::ranges::count(samples.rank[m], 1)) / choice.samples,
-             .difference = difference[m],
-             .difference_spread = spread_of(samples.difference[m])});
+        pool.methods.push_back({.label = labels[m],
+                                .mean = mean[m],
+                                .mean_spread = interval_of_mean(column_of(table, m)),
+                                .rank = rank[m],
+                                .rank_spread = spread_of(ranks[m]),
+                                .first_share = double(std::ranges::count(ranks[m], 1)) / choice.samples,
+                                .difference = difference[m],
+                                .difference_spread = interval_of_mean(column_of(differences, m))});
     std::ranges::stable_sort(pool.methods, {}, &PooledMethod::rank);
     return pool;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@ struct PooledMethod {
     std::string label;
     double mean = 0;
     Spread mean_spread;
-    int rank = 0;  ///< by the mean; 1 is the best
-    Spread rank_spread;
+    int rank = 0;            ///< by the mean; 1 is the best
+    Spread rank_spread;      ///< percentiles of the ranks that it has in the samples
     double first_share = 0;  ///< of the samples in which it is the best
     double difference = 0;   ///< mean of what it has more than the baseline, texture by texture
     Spread difference_spread;
@@ -45,11 +46,16 @@ struct PooledScores {
 /// Inputs of the study.
 std::size_t texture_count(const StudyResults& results);
 
-/// The study's inputs, one texture each, are drawn `samples` times with replacement, for all methods alike;
-/// the intervals are the percentiles of what these samples give (Efron 1979, Annals of Statistics 7(1)). They
-/// say how far the result depends on the choice of textures, not of views: views of one texture are never
-/// taken apart. The same bits every time. Of a single texture, every interval is a point. `metric` must be
-/// one of StudyResults::metrics; the baseline, a method of the pool.
+/// The 95 % interval of a mean from independent values: Student's t, its skewness removed by Hall's cubic
+/// transformation (Hall 1992, Journal of the Royal Statistical Society B 54(1)). Not numbers where there is
+/// one value.
+Spread interval_of_mean(std::span<const double> values);
+
+/// Intervals of means and differences are interval_of_mean() over the study's inputs, one texture each. For
+/// ranks the inputs are drawn `samples` times with replacement, for all methods alike (Efron 1979, Annals of
+/// Statistics 7(1)). They say how far the result depends on the choice of textures, not of views: views of
+/// one texture are never taken apart. The same bits every time. `metric` must be one of
+/// StudyResults::metrics; the baseline, a method of the pool.
 PooledScores pooled(const StudyResults& results, const PoolChoice& choice);
 
 }  // namespace zproof::study

@@ -1,4 +1,7 @@
 """Texture studies: the table, and pictures of one's own in it."""
+import os
+import subprocess
+
 import numpy as np
 import pytest
 
@@ -54,7 +57,7 @@ def test_bilinear_truth_of_one_colour_is_that_colour(ground):
     scene, view = ground
     white = zproof.Scene(scene.positions, scene.triangles, uv=np.zeros((4, 2), np.float32),
                          texture=np.full((1, 1, 4), 255, np.uint8))
-    truth, half_width = filters.truth(white, view, half_width=True)
+    truth, half_width = filters.truth(white, view, "B", half_width=True)
     assert np.all(truth[zproof.trace(white, view).id == zproof.BACKGROUND_ID] < 1)
     assert truth.max() == 1 and half_width.max() == 0
 
@@ -65,11 +68,129 @@ def test_study_stays_where_a_folder_is_named(ground, tmp_path):
     assert (tmp_path / "study/filters.html").is_file()
 
 
-def test_check_of_the_methods_own_picture(ground, tmp_path):
+def test_defaults_are_those_of_the_command(ground, study, tmp_path):
+    assert set(study["truth"]) == {"N"}
+    zproof._zproof.save_scene(ground[0], [ground[1]], str(tmp_path))
+    named = dict(scene=str(tmp_path / f"{ground[0].name}.view.json"))
+    words = [os.environ["ZPROOF_PROGRAM"], "filters", "run", named["scene"], "--methods", "nearest", "-q"]
+    subprocess.run([*words, "-o", str(tmp_path / "typed")], check=True, capture_output=True)
+    filters.run(["nearest"], **named, folder=tmp_path / "called")
+    typed, called = ((tmp_path / name / "filters.csv").read_text().splitlines() for name in ("typed", "called"))
+    timed = ("build_ms", "ns_per_sample")
+    kept = [[line for line in lines if not line.startswith("#") and not any(word in line for word in timed)]
+            for lines in (typed, called)]
+    assert kept[0] == kept[1]
+    assert any("flicker" in line for line in kept[0])
+
+
+def test_pictures_and_errors_come_back_bit_for_bit(ground, study):
+    truth = filters.truth(*ground)
+    assert study.truth().dtype == np.float32
+    assert np.array_equal(study.truth(), truth)
+    assert np.array_equal(study.picture("grey"), np.full((32, 48, 3), 0.25, np.float32))
+    assert np.array_equal(study.error("grey"), np.float32(0.25) - truth)
+    part = study.rows(method="nearest", region="all")
+    assert np.abs(part.error("nearest")).max() == pytest.approx(part["max"][0], abs=2**-24)
+
+
+def test_a_picture_that_is_not_in_the_study(study):
+    with pytest.raises(ValueError, match="expected one of nearest, ewa-true, exact, grey"):
+        study.picture("nearst")
+    with pytest.raises(ValueError, match="0 views fit"):
+        study.truth(view="nowhere")
+    with pytest.raises(ValueError, match="does not come from run"):
+        filters.Table().truth()
+
+
+def own_bilinear(coordinates, jacobian, levels):
+    light = levels[0].astype(float)
+    rows, columns, _ = light.shape
+    low = np.floor(coordinates - 0.5)
+    (s, t), (i, j) = (coordinates - 0.5 - low).T[..., None], low.astype(int).T
+
+    def texel(di, dj):
+        return light[(j + dj) % rows, (i + di) % columns]
+
+    return (1 - t) * ((1 - s) * texel(0, 0) + s * texel(1, 0)) + t * ((1 - s) * texel(0, 1) + s * texel(1, 1))
+
+
+def own_nearest_level(coordinates, jacobian, levels):
+    """The nearest texel of the level that is nearest to the longer step."""
+    lod = np.log2(np.maximum(np.linalg.norm(jacobian[..., 0], axis=1), np.linalg.norm(jacobian[..., 1], axis=1)))
+    chosen = np.clip(np.ceil(lod + 0.5) - 1, 0, len(levels) - 1).astype(int)
+    colours = np.empty((len(coordinates), 3))
+    for level in np.unique(chosen):
+        at, image = chosen == level, levels[level]
+        i, j = np.floor(coordinates[at] / 2.0**level).astype(int).T
+        colours[at] = image[j % image.shape[0], i % image.shape[1]]
+    return colours
+
+
+def test_methods_of_ones_own_are_ranked_and_held_to_their_claims(ground):
+    study = filters.run(["bilinear"], *ground, own={"mine": own_bilinear, "levels": own_nearest_level},
+                        claims={"mine": "bilinear", "levels": "mip-nearest-point"})
+    assert np.abs(study.picture("mine") - study.picture("bilinear")).max() < 1e-6
+    rmse = dict(zip(*(study.rows(region="interior")[column] for column in ("method", "rmse"))))
+    assert rmse["mine"] == pytest.approx(rmse["bilinear"], rel=1e-5) and rmse["levels"] != rmse["mine"]
+    assert set(study.outside.values()) == {0}
+    assert sorted(name for _, _, name in study.outside) == ["levels", "mine"]
+    assert filters.check(filters.paint(own_bilinear, *ground), "bilinear", *ground)
+    assert not filters.check(filters.paint(own_nearest_level, *ground), "bilinear", *ground)
+
+
+def test_batches_change_nothing(ground):
+    sizes = []
+
+    def counted(coordinates, jacobian, levels):
+        sizes.append(len(coordinates))
+        return own_bilinear(coordinates, jacobian, levels)
+
+    whole, parts = filters.paint(own_bilinear, *ground), filters.paint(counted, *ground, batch=100)
+    assert np.array_equal(whole, parts)
+    assert max(sizes) == 100 and sum(sizes) == np.count_nonzero(
+        zproof.trace(*ground).id != zproof.BACKGROUND_ID)
+
+
+def test_methods_of_ones_own_that_are_refused(ground):
+    with pytest.raises(ValueError, match=r"gave \(3,\) for"):
+        filters.paint(lambda coordinates, jacobian, levels: np.zeros(3), *ground)
+    with pytest.raises(ValueError, match="is the name of a picture, too"):
+        filters.run(["nearest"], *ground, own={"a": own_bilinear}, pictures={"a": np.zeros((32, 48, 3), np.float32)})
+    with pytest.raises(ValueError, match="expects a zproof.Scene"):
+        filters.run(["nearest"], "worked", "phi-0", own={"a": own_bilinear})
+
+
+def test_check_of_a_wrong_picture_tells_numbers(ground):
     grey = np.full((32, 48, 3), 0.25, np.float32)
     check = filters.check(grey, "nearest", *ground)
-    assert not check
-    assert str(check).startswith("FAILED") or "outside" in check.text
+    assert not check and check.outcome == "failed"
+    assert str(check).startswith("FAILED")
+    assert 0 < check.outside <= check.pixels == 48 * 32
+    assert f"{check.outside} of {check.pixels} pixels outside" in check.text
+    assert check.slack > 1 and check.power is None
+    x, y = check.worst
+    assert 0 <= x < 48 and 0 <= y < 32
+
+
+def test_check_of_the_methods_own_picture_tells_what_it_could_see(ground):
+    own = filters.run(["trilinear-gl"], *ground, flicker=0).picture("trilinear-gl")
+    check = filters.check(own, "trilinear-gl", *ground, precision="lod_bits=8")
+    assert check and check.passed and check.outcome == "passed"
+    assert check.outside == 0 and check.worst is None and check.slack <= 1
+    assert check.permitted_width.shape == (3,) and 0 < check.permitted_width.max() < 0.1
+    lod = check.offsets["LOD"]
+    assert lod["interval"][0] <= 0 <= lod["interval"][1]
+    assert lod["interval"][1] - lod["value"] == pytest.approx(lod["value"] - lod["interval"][0])
+    assert lod["unit"] == "levels" and 2**-8 <= lod["promised"] < 2**-7 and not lod["leaves_promise"]
+    assert check.power["would_refuse"] and not check.power["unproven"]
+
+
+def test_check_that_proves_nothing_is_not_true(ground):
+    own = filters.run(["bilinear"], *ground, flicker=0).picture("bilinear")
+    check = filters.check(own, "bilinear", *ground, precision="weight_bits=0")
+    assert not check and check.outcome == "nothing"
+    assert check.outside == 0 and check.power["unproven"]
+    assert all(offset["interval"] is None for offset in check.offsets.values())
 
 
 def test_a_claim_is_counted(ground):

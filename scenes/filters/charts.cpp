@@ -18,6 +18,10 @@ struct Field {
     glm::dvec2 from{0}, to{0};
 };
 
+/// Charts whose fields show so much of a texture, and not so many texels to a pixel, are laid out for this
+/// size: they are the same scene at any other.
+constexpr ImageSize paper{512, 512};
+
 /// Column and row of a chart that fills the image but for a margin round every field: 4 pixels, less in small
 /// images.
 Field field_of(ImageSize size, glm::ivec2 cell, glm::ivec2 cells) {
@@ -95,10 +99,10 @@ Loaded seams(ImageSize size) {
             texture.sampler.wrap_u = wraps[std::size_t(column)];
             texture.sampler.wrap_v = wraps[std::size_t(row)];
             mesh.begin_part("wrap " + std::to_string(column) + " " + std::to_string(row), texture);
-            const Field field = field_of(size, {column, row}, {3, 3});
+            const Field field = field_of(paper, {column, row}, {3, 3});
             // Three and a half textures across every field, the middle one in the middle.
             const double texels_per_pixel = 3.5 * 512 / (field.to.x - field.from.x);
-            add_field(mesh, size, field, rotation(7) * glm::dmat2(texels_per_pixel));
+            add_field(mesh, paper, field, rotation(7) * glm::dmat2(texels_per_pixel));
         }
     return mesh.finish({checks({})}, {facing_view(size)});
 }
@@ -110,12 +114,12 @@ Loaded uneven_strips(ImageSize size) {
     for (int step = 0; step < 6; ++step) {
         const int count = 16 << step;
         mesh.begin_part("textures " + std::to_string(1 << step) + " / 4", image_texture(0));
-        const Field field = field_of(size, {step % 3, step / 3}, {3, 2});
+        const Field field = field_of(paper, {step % 3, step / 3}, {3, 2});
         const glm::dvec2 extent = field.to - field.from;
         const float bottom = float(count / 64.0 * extent.y / extent.x);
         const auto corner = [&](int strip, float v) {
             const double parts = strip / 2 * 5 + strip % 2;
-            return Corner{at_raster(size, {field.from.x + extent.x * parts / (count / 2 * 5),
+            return Corner{at_raster(paper, {field.from.x + extent.x * parts / (count / 2 * 5),
                                            v == 0 ? field.from.y : field.to.y}),
                           {float(strip) / 64, v}};
         };

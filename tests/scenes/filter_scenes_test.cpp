@@ -139,6 +139,19 @@ TEST(FilterScenes, WorkedIsTheWorkedSetUp) {
         ASSERT_EQ(checks.texels[4 * i], 255 * int(expected.texels[i].r));
 }
 
+/// The file that is written of a scene is of 512 x 512 pixels; whoever draws it at 256 draws the same scene.
+/// The three other charts hold a footprint in pixels, and so are laid out for their picture.
+TEST(FilterScenes, AreTheSameAtEverySizeButForChartsOfFootprints) {
+    const std::set<std::string> of_footprints{"tilted_quads", "lod_ramp", "magnification"};
+    for (const FilterSceneEntry& entry : filter_scenes()) {
+        const Scene natural = generate_filter_scene(entry.name).scene,
+                    small = generate_filter_scene(entry.name, 256, 200).scene;
+        const bool is_same = natural.vertices.position_world == small.vertices.position_world &&
+                             natural.vertices.uv == small.vertices.uv;
+        EXPECT_EQ(is_same, !of_footprints.contains(entry.name)) << entry.name;
+    }
+}
+
 /// What a filter keeps of a texture is counted once per material.
 TEST(FilterScenes, ShareMaterialsBetweenFieldsOfOneTexture) {
     EXPECT_EQ(generate_filter_scene("tilted_quads", 96, 64).scene.materials.size(), 1u);

@@ -219,6 +219,23 @@ TEST_F(FilterPictures, SayInTheirHeadersWhereTheyComeFrom) {
         EXPECT_NE(truth.find(words), std::string::npos) << words;
 }
 
+TEST(ViewFiles, KeepTheirSizeAndSaySoWhereAnotherOneIsTyped) {
+    const Folder folder;
+    ASSERT_EQ(run(folder, {"filters", "scenes", "worked", "-o", "scenes"}).exit_code, 0);
+    const auto explained = [&](const std::string& scene, const Words& more) {
+        return run(folder, with({"filters", "explain", scene, "--view", "phi-0", "--pixel", "9,200",
+                                 "--method", "nearest"},
+                                more));
+    };
+    const std::string words = "the view 'phi-0' states its own size, 256 x 256";
+    const Ran other = explained("scenes/worked.view.json", {"--width", "300"});
+    EXPECT_EQ(other.exit_code, 0) << other.err;
+    EXPECT_NE(other.err.find(words), std::string::npos) << other.err;
+    EXPECT_EQ(explained("scenes/worked.view.json", {"--width", "256", "--height", "256"}).err, "");
+    EXPECT_EQ(explained("scenes/worked.view.json", {"--height", "300", "-q"}).err, "");
+    EXPECT_EQ(explained("worked", {"--width", "300"}).err, "") << "a scene of its own has any size";
+}
+
 /// Read back as pictures: the error is picture less truth.
 TEST(FilterEvidence, HoldsTheErrorOfEveryPixel) {
     const Folder folder;

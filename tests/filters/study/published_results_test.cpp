@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace zproof::study {
 namespace {
 
@@ -44,11 +46,40 @@ TEST(PublishedResults, MoreSamplesHaveLessVariance) {
         EXPECT_NEAR(figure.ours / figure.published, 1, 0.05) << figure.what;
 }
 
-TEST(PublishedResults, TheWorkedSetUpIsFoundToATenthOfADecibel) {
+TEST(PublishedResults, TheWorkedSetUpIsFoundToItsLastDigit) {
     const auto figures = figures_of("worked");
     ASSERT_EQ(figures.size(), 14u);
     for (const PublishedFigure& figure : figures)
-        EXPECT_NEAR(figure.ours, figure.published, 0.1) << figure.what;
+        EXPECT_EQ(verdict_on(figure), "reproduced") << figure.what << " " << figure.ours;
+}
+
+TEST(PublishedResults, IdentitiesHoldAndOthersInputsClaimNothing) {
+    for (const char* name : {"crow-1984", "lauritzen-2007", "sigg-hadwiger-2005", "stochastic-variance"})
+        for (const PublishedFigure& figure : figures_of(name))
+            EXPECT_EQ(verdict_on(figure), "holds") << figure.what;
+    for (const PublishedFigure& figure : figures_of("hensley-2005"))
+        EXPECT_EQ(verdict_on(figure), "other inputs") << figure.what;
+}
+
+std::string verdict_on(double ours, PublishedAs as) {
+    return verdict_on(PublishedFigure{.what = "",
+                                      .unit = "",
+                                      .published = 4,
+                                      .ours = ours,
+                                      .decimals = 1,
+                                      .as = as,
+                                      .standard_error = 0.25});
+}
+
+TEST(Verdicts, AreOfHalfAUnitOfTheLastDecimalAndOfThreeStandardErrors) {
+    EXPECT_EQ(verdict_on(4.0499, PublishedAs::measurement), "reproduced");
+    EXPECT_EQ(verdict_on(4.0505, PublishedAs::measurement), "not reproduced");
+    EXPECT_EQ(verdict_on(3.9501, PublishedAs::identity), "holds");
+    EXPECT_EQ(verdict_on(3.9495, PublishedAs::identity), "does not hold");
+    EXPECT_EQ(verdict_on(4.75, PublishedAs::expectation), "holds");
+    EXPECT_EQ(verdict_on(3.2425, PublishedAs::expectation), "does not hold");
+    EXPECT_EQ(verdict_on(std::nan(""), PublishedAs::identity), "does not hold");
+    EXPECT_EQ(verdict_on(40, PublishedAs::measurement_elsewhere), "other inputs");
 }
 
 }  // namespace

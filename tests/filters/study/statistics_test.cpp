@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace zproof::study {
@@ -36,7 +37,8 @@ PooledScores pool_of(const StudyResults& results, const std::string& baseline = 
     return pooled(results, {.metric = "score", .baseline = baseline});
 }
 
-/// Means 15 and 12; of two textures, samples have the first twice, both, or the second twice.
+/// Means 15 and 12; of two textures, samples have the first twice, both, or the second twice. Half the
+/// distance of two values is their mean's standard error, and t has a single degree of freedom: 12.7062.
 TEST(PooledScores, ByHand) {
     const PooledScores pool = pool_of(study_of({{{10, 11}}, {{20, 13}}}, {"steep", "flat"}));
     ASSERT_EQ(pool.methods.size(), 2u);
@@ -45,15 +47,15 @@ TEST(PooledScores, ByHand) {
     const PooledMethod &steep = pool.methods[0], &flat = pool.methods[1];
     EXPECT_EQ(steep.label, "steep");
     EXPECT_EQ(steep.mean, 15);
-    EXPECT_EQ(steep.mean_spread.low, 10);
-    EXPECT_EQ(steep.mean_spread.high, 20);
+    EXPECT_NEAR(steep.mean_spread.low, 15 - 12.7062 * 5, 1e-3);
+    EXPECT_NEAR(steep.mean_spread.high, 15 + 12.7062 * 5, 1e-3);
     EXPECT_EQ(flat.rank, 2);
     EXPECT_EQ(flat.rank_spread.low, 1) << "where the first texture is drawn twice";
     EXPECT_EQ(flat.rank_spread.high, 2);
     EXPECT_NEAR(flat.first_share, 0.25, 0.02);
     EXPECT_EQ(flat.difference, -3);
-    EXPECT_EQ(flat.difference_spread.low, -7);
-    EXPECT_EQ(flat.difference_spread.high, 1);
+    EXPECT_NEAR(flat.difference_spread.low, -3 - 12.7062 * 4, 1e-3);
+    EXPECT_NEAR(flat.difference_spread.high, -3 + 12.7062 * 4, 1e-3);
 }
 
 TEST(PooledScores, PutTheLeastFirstWhereLessIsBetter) {
@@ -122,10 +124,62 @@ TEST(PooledScores, LeaveOutMethodsWhosePicturesHoldNoNumbers) {
     EXPECT_EQ(pool.textures, 2u);
 }
 
-TEST(PooledScores, OfOneTextureArePoints) {
+TEST(PooledScores, OfOneTextureHaveNoInterval) {
     const PooledMethod method = pool_of(study_of({{{5}}}, {"one"})).methods.at(0);
-    EXPECT_EQ(method.mean_spread.low, 5);
-    EXPECT_EQ(method.mean_spread.high, 5);
+    EXPECT_EQ(method.mean, 5);
+    EXPECT_TRUE(std::isnan(method.mean_spread.low) && std::isnan(method.difference_spread.high));
+}
+
+/// Evenly spread within (0, 1).
+double share(std::mt19937& engine) { return (static_cast<std::uint32_t>(engine()) + 0.5) * 0x1p-32; }
+
+double exponential(std::mt19937& engine) { return -std::log(share(engine)); }
+
+/// Box and Muller's.
+double normal(std::mt19937& engine) {
+    const double radius = std::sqrt(-2 * std::log(share(engine)));
+    return radius * std::cos(2 * std::numbers::pi * share(engine));
+}
+
+/// Scores of methods crowd below a few that are far better.
+double lopsided(std::mt19937& engine) {
+    const double value = normal(engine);
+    return share(engine) < 0.25 ? 3 + value : value;
+}
+
+/// How many intervals of so many values hold the mean that their distribution has.
+double coverage(double (*draw)(std::mt19937&), double mean, std::size_t count) {
+    constexpr int rounds = 20'000;
+    std::mt19937 engine{11};
+    int held = 0;
+    for (int i = 0; i < rounds; ++i) {
+        std::vector<double> values(count);
+        for (double& value : values) value = draw(engine);
+        const Spread interval = interval_of_mean(values);
+        held += interval.low <= mean && mean <= interval.high;
+    }
+    return double(held) / rounds;
+}
+
+/// A share of 20 000 has a standard error of 0.0016. Student's t alone holds the exponential's mean in 0.90.
+TEST(IntervalOfMean, HoldsTheMeanIn95Of100AlsoOfFewAndOfSkewedValues) {
+    for (const std::size_t count : {2u, 3u, 8u, 20u}) {
+        EXPECT_NEAR(coverage(normal, 0, count), 0.95, 0.01) << count;
+        EXPECT_NEAR(coverage(lopsided, 0.75, count), 0.95, count < 8 ? 0.03 : 0.015) << count;
+    }
+    EXPECT_GT(coverage(exponential, 1, 3), 0.90);
+    EXPECT_NEAR(coverage(exponential, 1, 8), 0.95, 0.03);
+    EXPECT_NEAR(coverage(exponential, 1, 20), 0.95, 0.015);
+}
+
+/// It reaches farther where the values' tail is.
+TEST(IntervalOfMean, LeansToTheTail) {
+    const std::vector<double> values{0, 0, 0, 0, 0, 0, 0, 8};
+    const Spread interval = interval_of_mean(values);
+    EXPECT_GT(interval.high - 1, 1.5 * (1 - interval.low));
+    std::vector<double> mirrored;
+    for (const double value : values) mirrored.push_back(-value);
+    EXPECT_EQ(interval_of_mean(mirrored).low, -interval.high);
 }
 
 TEST(PooledScores, LeaveOutTexturesOnWhichAMethodIsWithoutError) {
