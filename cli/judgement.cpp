@@ -139,7 +139,8 @@ ExitCode judge_and_report(const RunRequest& request) {
     if (foreword_of && results.ending == Ending::complete)
         foreword = written_foreword(out.working(), foreword_of(results));
     on_threads(report.common.threads, [&] {
-        write_reports(out.working(), results, report.formats, foreword ? &foreword->document : nullptr);
+        write_reports(out.working(), results, request.report.formats,
+                      foreword ? &foreword->document : nullptr);
     });
     const ExitCode code =
         told(results, report, publish(out, report.common, completeness_of(results, foreword)), foreword);

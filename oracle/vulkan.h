@@ -43,6 +43,7 @@ struct VulkanSettings {
 struct VulkanDevice {
     std::string version;  ///< its name, driver and version of Vulkan, in one line
     int subpixel_bits;
+    int subtexel_bits, mipmap_bits;          ///< of places within a level, and of a blend of two levels
     std::vector<DepthFormat> depth_formats;  ///< of those in VulkanSettings
     std::vector<int> sample_counts;          ///< with ids and depth; more than 1 at standard places only
     int largest_side_px;

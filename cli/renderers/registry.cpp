@@ -92,10 +92,11 @@ Answers opengl_on(const Scene& scene, const BuiltIn&, std::chrono::seconds) {
     return {[opengl](const View& view) { return opengl->render(view); }};
 }
 
-/// A device with these settings is opened once, when it is first needed.
+/// A device with these settings is opened once, when it is first needed. It is never closed: at the program's
+/// end its library has taken itself apart before us (SwiftShader's crashes then).
 const oracle::VulkanDriver& vulkan_driver(const BuiltIn& vulkan) {
     static std::mutex one_thread;
-    static std::map<oracle::VulkanSettings, oracle::VulkanDriver> drivers;
+    static auto& drivers = *new std::map<oracle::VulkanSettings, oracle::VulkanDriver>;
     const std::scoped_lock lock(one_thread);
     const auto found = drivers.find(vulkan.vulkan);
     return found != drivers.end() ? found->second

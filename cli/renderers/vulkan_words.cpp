@@ -80,7 +80,9 @@ std::string promise_in_words(const oracle::VulkanDevice& device) {
     return std::to_string(device.subpixel_bits) + " sub-pixel bits; depth in " +
            joined(device.depth_formats, ", ", [](DepthFormat format) { return word_of(format); }) + "; " +
            joined(device.sample_counts, ", ", [](int count) { return std::to_string(count); }) +
-           " samples; images up to " + std::to_string(device.largest_side_px) + " px";
+           " samples; images up to " + std::to_string(device.largest_side_px) +
+           " px; textures: " + std::to_string(device.subtexel_bits) + " sub-texel, " +
+           std::to_string(device.mipmap_bits) + " mipmap bits";
 }
 
 }  // namespace zproof

@@ -5,6 +5,7 @@
 #include "filters/reference/filter_reference.h"
 #include "frame/frame.h"
 #include "frame/picture.h"
+#include "texture/method.h"
 
 namespace zproof::oracle {
 
@@ -31,6 +32,21 @@ Picture opengl_filtered(const Scene& scene, const View& view, const Frame& frame
 /// What the specification asks for leaves much open; this is declared: float32 coordinates and sums, 8 bits
 /// of weights and of the LOD's fraction (Direct3D 11.3, 7.18.16: the least for hardware).
 FilterPrecision opengl_filter_precision();
+
+/// What Vulkan is asked for.
+struct VulkanFilter {
+    PeerFilter filter;  ///< trilinear or anisotropic
+    StepRule steps;
+    int max_anisotropy = 16;
+    texture::MipKernel mip_kernel = texture::MipKernel::box;
+};
+
+/// A Vulkan device's samplers: levels of float32 texels that are made here, linear within and between them.
+/// Coordinates and steps as OpenGL's. Throws OracleError where there is no device, or in its words.
+Picture vulkan_filtered(const Scene& scene, const View& view, const Frame& frame, const VulkanFilter& asked);
+/// Read from the device's limits (docs/vulkan.md): the preset vulkan-min with subTexelPrecisionBits and
+/// mipmapPrecisionBits in the place of the least that Vulkan asks for.
+FilterPrecision vulkan_filter_precision();
 
 /// OpenImageIO's TextureSystem, with a mip chain made by its own make_texture (box) from the decoded float32
 /// texels, bilinear interpolation and the conservative filter. It is given, in float32, the texture

@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "filters/reference/filter_peers.h"
+#include "filters/reference/picture_by_sampler.h"
 #include "oracle/opengl/context.h"
 #include "oracle/opengl/drawing.h"
 #include "oracle/oracle_error.h"
@@ -9,7 +10,6 @@ namespace zproof::oracle {
 
 namespace {
 
-using filter_reference::PixelFootprint;
 using opengl::Texture2d;
 
 /// One triangle that covers the image.
@@ -64,58 +64,8 @@ Texture2d mipped_texture(const Image& image, const Sampler& sampler, PeerFilter 
     return texture;
 }
 
-/// What each pixel that sees this material hands to the sampler.
-struct Inputs {
-    Plane<glm::vec4> place, steps;
-};
-
-/// Continues the texture over pixels that show something else, from those beside them in their 2 x 2 pixels.
-/// A driver may look at all four: llvmpipe's anisotropic sampler takes the differences of their places for
-/// the steps, whatever steps it is given.
-void complete_quads(Inputs& inputs) {
-    const auto [width, height] = inputs.place.size();
-    const auto continue_from = [&inputs](glm::ivec2 pixel, glm::ivec2 beside) {
-        const glm::vec4 from = inputs.place.at(beside.x, beside.y),
-                        step = inputs.steps.at(beside.x, beside.y);
-        if (inputs.place.at(pixel.x, pixel.y).z != 0 || from.z == 0) return;
-        const glm::vec2 way{pixel - beside};
-        const glm::vec2 place = glm::vec2{from} + way.x * glm::vec2{step} + way.y * glm::vec2{step.z, step.w};
-        inputs.place.at(pixel.x, pixel.y) = glm::vec4{place, 0, 0};
-        inputs.steps.at(pixel.x, pixel.y) = step;
-    };
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const int beside_x = std::min(x ^ 1, width - 1), beside_y = std::min(y ^ 1, height - 1);
-            for (const glm::ivec2 beside : {glm::ivec2{beside_x, beside_y}, {x, beside_y}, {beside_x, y}})
-                continue_from({x, y}, beside);
-        }
-}
-
-Inputs inputs_of(const Scene& scene, const View& view, const Frame& frame, const Material& material) {
-    Inputs inputs{Plane<glm::vec4>{frame.size()}, Plane<glm::vec4>{frame.size()}};
-    for (int y = 0; y < view.height; ++y) {
-        for (int x = 0; x < view.width; ++x) {
-            const PrimitiveId id = frame.primitive.at(x, y);
-            if (id == PrimitiveId::none ||
-                &filter_reference::material_of(scene, std::uint32_t(id)) != &material)
-                continue;
-            const auto triangle = filter_reference::textured_triangle(scene, std::uint32_t(id));
-            const filter_reference::SeenTexture seen{view, triangle, FilterPrecision{}};
-            const PixelFootprint f = seen.footprint(x, y, StepRule::analytic);
-            const glm::dvec2 size{triangle.texture_size};
-            const auto in_uv = [&](const filter_reference::TexelInterval& p) {
-                return glm::vec2{glm::dvec2{middle(p.u), middle(p.v)} / size};
-            };
-            inputs.place.at(x, y) = glm::vec4{in_uv(f.centre), 1, 0};
-            inputs.steps.at(x, y) = glm::vec4{in_uv(f.per_x), in_uv(f.per_y)};
-        }
-    }
-    complete_quads(inputs);
-    return inputs;
-}
-
 /// What the sampler gives for every pixel, RGBA; the context must be current.
-Plane<glm::vec4> sampled(const opengl::Program& program, const Texture2d& image, const Inputs& inputs,
+Plane<glm::vec4> sampled(const opengl::Program& program, const Texture2d& image, const TextureLookups& inputs,
                          StepRule steps) {
     const Resolution size = inputs.place.size();
     const Texture2d place = plane_texture(inputs.place), step = plane_texture(inputs.steps),
@@ -147,17 +97,6 @@ Plane<glm::vec4> sampled(const opengl::Program& program, const Texture2d& image,
     return colours;
 }
 
-/// The pixels that show this material.
-void paint(Picture& picture, const Inputs& inputs, const Plane<glm::vec4>& colours,
-           const glm::dvec3& factor) {
-    for (int y = 0; y < picture.size().height; ++y)
-        for (int x = 0; x < picture.size().width; ++x) {
-            if (inputs.place.at(x, y).z == 0) continue;
-            const glm::dvec3 colour = factor * glm::dvec3{glm::vec3{colours.at(x, y)}};
-            picture.at(x, y) = {float(colour.r), float(colour.g), float(colour.b)};
-        }
-}
-
 }  // namespace
 
 Picture opengl_filtered(const Scene& scene, const View& view, const Frame& frame, const OpenGlFilter& asked,
@@ -165,17 +104,11 @@ Picture opengl_filtered(const Scene& scene, const View& view, const Frame& frame
     const opengl::Context context;
     const opengl::Context::Current current(context);
     const opengl::Program program = opengl::linked_program(vertex_source, fragment_source);
-    Picture picture{frame.size()};
-    for (const Material& material : scene.materials) {
-        if (!filter_reference::is_textured(scene, material)) continue;
-        const Texture& texture = material.base_color;
-        const Inputs inputs = inputs_of(scene, view, frame, material);
-        const Texture2d image =
-            mipped_texture(scene.images[std::size_t(texture.image)], texture.sampler, asked.filter, settings);
-        paint(picture, inputs, sampled(program, image, inputs, asked.steps),
-              glm::dvec3{glm::vec3{material.base_color_factor}});
-    }
-    return picture;
+    return picture_by_sampler(
+        scene, view, frame, [&](const Image& image, const Sampler& sampler, const TextureLookups& lookups) {
+            const Texture2d texture = mipped_texture(image, sampler, asked.filter, settings);
+            return sampled(program, texture, lookups, asked.steps);
+        });
 }
 
 FilterPrecision opengl_filter_precision() {

@@ -5,6 +5,7 @@
 
 #include "filters/reference/filter_peers.h"
 #include "oracle/opengl.h"
+#include "oracle/vulkan.h"
 
 namespace zproof::study {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 using oracle::PeerFilter;
 
 std::string never_absent() { return ""; }
+std::string vulkan_absence() { return oracle::vulkan_is_missing().value_or(""); }
 std::string opengl_absence() { return oracle::opengl_is_missing().value_or(""); }
 
 oracle::FilterSettings settings_of(const texture::FilterOptions& options) {
@@ -34,12 +36,20 @@ Picture by_opengl(const Scene& scene, const View& view, const Frame& frame,
     return oracle::opengl_filtered(scene, view, frame, {filter, StepRule::analytic}, settings_of(options));
 }
 
+template <PeerFilter filter>
+Picture by_vulkan(const Scene& scene, const View& view, const Frame& frame,
+                  const texture::FilterOptions& options) {
+    return oracle::vulkan_filtered(scene, view, frame,
+                                   {filter, StepRule::analytic, options.max_anisotropy, options.mip_kernel});
+}
+
 texture::Method method(std::string name, texture::DefinitionCard card) {
     return {std::move(name), std::move(card), {}};
 }
 
 const std::string given_steps = "the steps to the neighbouring pixels, given in float32";
-const std::vector<std::string> of_ratio{"max-anisotropy"}, of_chance{"max-anisotropy", "spp", "seed"};
+const std::vector<std::string> of_ratio{"max-anisotropy"}, of_chance{"max-anisotropy", "spp", "seed"},
+    of_levels{"mip"}, of_both{"max-anisotropy", "mip"};
 
 }  // namespace
 
@@ -81,6 +91,17 @@ std::span<const OtherSampler> other_samplers() {
                                  .taps = "OpenGL's sampler, GL_TEXTURE_MAX_ANISOTROPY, as the driver has it",
                                  .source = "the OpenGL driver of this machine"}),
          opengl_absence, of_ratio, by_opengl<PeerFilter::anisotropic>},
+        {method("vulkan-trilinear", {.footprint = given_steps,
+                                     .lod = "the device's own",
+                                     .taps = "Vulkan's sampler, linear within levels and between two, as the "
+                                             "device has it",
+                                     .source = "the Vulkan device of this machine"}),
+         vulkan_absence, of_levels, by_vulkan<PeerFilter::trilinear>},
+        {method("vulkan-aniso", {.footprint = given_steps,
+                                 .lod = "the device's own",
+                                 .taps = "Vulkan's sampler with anisotropyEnable, as the device has it",
+                                 .source = "the Vulkan device of this machine"}),
+         vulkan_absence, of_both, by_vulkan<PeerFilter::anisotropic>},
     };
     return all;
 }

@@ -19,7 +19,7 @@ struct OtherSampler {
                      const texture::FilterOptions& options);
 };
 
-/// OpenImageIO's and OpenGL's.
+/// OpenImageIO's, OpenGL's and Vulkan's.
 std::span<const OtherSampler> other_samplers();
 
 /// The sampler of this name, or null.

@@ -239,7 +239,7 @@ void draw(const Program& program, const Mesh& mesh, const ClipRows& rows, DepthB
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(is_reversed ? GL_GREATER : GL_LEQUAL);
     glEnable(GL_CLIP_DISTANCE0);
-    for (const GLenum off : {GL_CULL_FACE, GL_BLEND, GL_DITHER, GL_MULTISAMPLE}) glDisable(off);
+    for (const auto off : {GL_CULL_FACE, GL_BLEND, GL_DITHER, GL_MULTISAMPLE}) glDisable(GLenum(off));
     glUseProgram(program.name());
     const auto place = [&](const char* name) { return glGetUniformLocation(program.name(), name); };
     const auto set = [&](const char* name, const glm::vec4& row) {

@@ -1,6 +1,7 @@
 /// Stands in where zproof was built without Vulkan.
 #include "oracle/oracle_error.h"
 #include "oracle/vulkan.h"
+#include "oracle/vulkan_textures.h"
 
 namespace zproof::oracle {
 namespace {
@@ -26,5 +27,9 @@ Frame Vulkan::render(const View&) const { throw OracleError(vulkan_not_built_in)
 
 std::optional<std::string> vulkan_is_missing(const VulkanSettings&) { return vulkan_not_built_in; }
 std::vector<VulkanDevice> vulkan_devices() { throw OracleError(vulkan_not_built_in); }
+
+Plane<glm::vec4> vulkan_sampled(const VulkanTexture&, const TextureLookups&, Gradients) {
+    throw OracleError(vulkan_not_built_in);
+}
 
 }  // namespace zproof::oracle

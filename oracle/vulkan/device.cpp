@@ -92,6 +92,8 @@ vk::PhysicalDeviceFeatures features_for(const vk::raii::PhysicalDevice& device,
     return {.fullDrawIndexUint32 = has.fullDrawIndexUint32,
             .geometryShader = has.geometryShader,
             .depthClamp = has.depthClamp,
+            .samplerAnisotropy = has.samplerAnisotropy,
+            .fragmentStoresAndAtomics = has.fragmentStoresAndAtomics,
             .shaderClipDistance = true};
 }
 
@@ -148,6 +150,8 @@ VulkanDevice facts_of(const vk::raii::PhysicalDevice& device) {
     return {.version =
                 name_of(own) + ", " + driver_text(device, own) + ", Vulkan " + version_text(own.apiVersion),
             .subpixel_bits = int(limits.subPixelPrecisionBits),
+            .subtexel_bits = int(limits.subTexelPrecisionBits),
+            .mipmap_bits = int(limits.mipmapPrecisionBits),
             .depth_formats = formats,
             .sample_counts = sample_counts_of(device, limits),
             .largest_side_px = int(std::min<std::uint32_t>(side, std::numeric_limits<int>::max()))};

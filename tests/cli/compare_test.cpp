@@ -71,6 +71,7 @@ TEST_F(StoredFrames, AreJudgedByTheirAttributesToo) {
     EXPECT_NE(right.out.find("\nnote: two: attributes judged: bary, position\n"), std::string::npos)
         << right.out;
     EXPECT_EQ(only_view().at("notes").back(), "attributes judged: bary, position");
+    EXPECT_EQ(only_view().at("attributes"), json({"bary", "position"}));
 
     Frame frame = read_frame(folder.path() / "with/frame-all.exr");
     ASSERT_TRUE(frame.attributes.has(Attribute::barycentrics));

@@ -36,6 +36,7 @@ def swiftshader(zproof, source, folder):
     text = printed([zproof, 'run', scene, '--oracle', 'none', '--renderer', 'vulkan', '-o', f'{folder}/out'], 1,
                    VK_ICD_FILENAMES=SWIFTSHADER)
     expect(text, '1 wrong_depth')
+    printed([zproof, 'explain', scene, '0', '0', '--renderer', 'vulkan'], 1, VK_ICD_FILENAMES=SWIFTSHADER)
     expect(text, r'depth 1\.2348\d*, admissible from 1\.2499\d* to 1\.3400')
 
 

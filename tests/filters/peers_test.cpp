@@ -65,5 +65,27 @@ TEST(OpenGlFilter, IsComparedWithItsOwnReference) {
         held(drawn(PeerFilter::anisotropic, exact), fixture, "aniso-ext-linear", precision).is_caught());
 }
 
+/// lavapipe's LOD has the 4 bits that its limits say, and not 5: its logarithm is taken along chords.
+TEST(VulkanFilter, KeepsWhatItsLimitsPromiseAndNoMore) {
+    const FilterFixture fixture = filter_fixture(Ground::noise);
+    const StepRule exact = StepRule::analytic, quad = StepRule::quad_differences;
+    const auto drawn = [&](PeerFilter filter, StepRule steps) {
+        return oracle::vulkan_filtered(fixture.scene, fixture.view, fixture.frame, {filter, steps});
+    };
+    const Picture given = drawn(PeerFilter::trilinear, exact), own = drawn(PeerFilter::trilinear, quad);
+    FilterPrecision promise = oracle::vulkan_filter_precision();
+    EXPECT_FALSE(held(given, fixture, "trilinear-gl", promise).is_caught());
+    EXPECT_FALSE(held(own, fixture, "trilinear-gl", promise, quad).is_caught());
+    EXPECT_TRUE(held(given, fixture, "bilinear", promise).is_caught());
+    promise.lod_below = promise.lod_above = 0;
+    EXPECT_FALSE(held(given, fixture, "trilinear-gl", promise).is_caught());
+    EXPECT_FALSE(held(own, fixture, "trilinear-gl", promise, quad).is_caught());
+    promise.lod_bits += 1;
+    EXPECT_TRUE(held(given, fixture, "trilinear-gl", promise).is_caught());
+    // Its anisotropic filter is no line of taps, and Vulkan names none (docs/vulkan.md).
+    EXPECT_TRUE(
+        held(drawn(PeerFilter::anisotropic, exact), fixture, "aniso-ext-linear", promise).is_caught());
+}
+
 }  // namespace
 }  // namespace zproof::selftest
