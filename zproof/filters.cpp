@@ -66,7 +66,8 @@ std::vector<TexturedPixels> ask_all_pixels(const zproof::Scene& scene, const zpr
             if (id == PrimitiveId::none) continue;
             const Material& material = rasterizer::material_of(scene, std::uint32_t(id));
             const std::uint64_t pixel = std::uint64_t(y) * std::uint64_t(view.width) + std::uint64_t(x);
-            for (int c = 0; c < 3; ++c) task.factor[3 * pixel + c] = double(material.base_color_factor[c]);
+            for (std::uint64_t c = 0; c < 3; ++c)
+                task.factor[3 * pixel + c] = double(material.base_color_factor[glm::length_t(c)]);
             if (const auto footprints = rasterizer::footprints_of(scene, view, std::uint32_t(id)))
                 add_pixel(by_material[std::size_t(&material - scene.materials.data())], pixel,
                           footprints->at(x, y, texture::Derivatives::analytic));
