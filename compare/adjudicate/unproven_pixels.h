@@ -1,5 +1,5 @@
 /// Where does the reference promise less of a triangle than the candidate? There it proves nothing that both
-/// name the same triangle (docs/truth.md, "What agreement proves").
+/// name the same triangle; nor anywhere, where both frames are one (docs/truth.md, "What agreement proves").
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace zproof {
 
 /// 1 where the reference may see another triangle at the pixel's centre than is there, and the candidate may
-/// not; 0 elsewhere. Runs on all threads.
+/// not; 1 everywhere in two frames of the same bits; 0 elsewhere. Runs on all threads.
 Plane<std::uint8_t> find_unproven_pixels(const FramePair& frames);
 
 }  // namespace zproof

@@ -195,7 +195,8 @@ TEST(Agree, ForgetsTheTrianglesOfTheBlockBefore) {
             answer(t.candidate, x, y, shown, 1 + shown / 4.0);
             answer(t.reference, x, y, shown, 1 + shown / 4.0);
         }
-    const Agreement found = find_agreement(pair_of(t), find_unproven_pixels(pair_of(t)), nullptr);
+    const Plane<std::uint8_t> all_proven(Resolution{width, height}, 0);
+    const Agreement found = find_agreement(pair_of(t), all_proven, nullptr);
     EXPECT_TRUE(found.undecided.empty());
     EXPECT_EQ(found.candidate_depth.histogram[0], std::uint64_t(width * height));
 }

@@ -42,6 +42,7 @@ void show_some(TestScene& t, Rng& rng) {
             if (i % 2 == 0 && i < t.scene.triangles.size()) t.reference.primitive.at(x, y) = PrimitiveId(i);
         }
     t.candidate = t.reference;
+    t.candidate.camera_depth.at(0, 0) = 1;  // of another renderer
 }
 
 /// Does the reference displace an edge over a pixel that is not listed farther than the candidate may, of
@@ -99,6 +100,7 @@ TEST(UnprovenPixels, AreThoseBesideEdgesThatTheReferenceDisplacesFarther) {
 TEST(UnprovenPixels, AreAllWhereOnlyTheReferenceMayLeaveGaps) {
     TestScene t(Projection::parallel, 2, 2, {wall(4)});
     t.candidate_precision = BoundedPrecision{.eps_px = 0.1, .depth_relative = 1e-6};
+    t.candidate.camera_depth.at(0, 0) = 1;
     const auto listed = [&](bool is_watertight) {
         t.reference_precision =
             BoundedPrecision{.eps_px = 0.1, .depth_relative = 1e-6, .watertight = is_watertight};
@@ -106,6 +108,26 @@ TEST(UnprovenPixels, AreAllWhereOnlyTheReferenceMayLeaveGaps) {
     };
     EXPECT_EQ(listed(true), 0);
     EXPECT_EQ(listed(false), 4);
+}
+
+/// Half a pixel beside the edge, both leave a triangle out. As one frame that is no agreement; as two it is,
+/// since the reference promises as much.
+TEST(UnprovenPixels, AreAllOfAFrameThatIsTheReferences) {
+    TestScene t(Projection::parallel, 8, 8, {wall_left_of(4, 4)});
+    answer_everywhere(t.reference, 0, 4);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 4; x < 8; ++x) answer_background(t.reference, x, y);
+    answer_background(t.reference, 3, 3);
+    t.candidate = t.reference;
+    t.candidate_precision = t.reference_precision = BoundedPrecision{.eps_px = 0.4, .depth_relative = 1e-6};
+    EXPECT_EQ(t.class_at(3, 3), PixelClass::hole);
+    EXPECT_EQ(t.class_at(2, 3), PixelClass::agree);
+    EXPECT_EQ(t.class_at(5, 3), PixelClass::agree);
+    answer(t.candidate, 0, 0, 0, 4 + 0x1p-20);
+    EXPECT_EQ(t.class_at(3, 3), PixelClass::agree);
+    t.candidate = t.reference;
+    answer(t.candidate, 7, 7, 0, 4);
+    EXPECT_EQ(t.class_at(3, 3), PixelClass::agree);
 }
 
 /// A triangle that both leave out agrees with nobody but the scene.
@@ -116,6 +138,7 @@ TEST(UnprovenPixels, GoToTheAdmissibleSet) {
         for (int x = 4; x < 8; ++x) answer_background(t.reference, x, y);
     answer_background(t.reference, 3, 3);  // half a pixel beside the edge
     t.candidate = t.reference;
+    answer(t.candidate, 0, 0, 0, 4 + 0x1p-20);  // another renderer
     t.candidate_precision = BoundedPrecision{.eps_px = 0.4, .depth_relative = 1e-6};
     t.reference_precision = BoundedPrecision{.eps_px = 0.4, .depth_relative = 1e-6};
     EXPECT_EQ(t.class_at(3, 3), PixelClass::agree) << "the reference promises no less";
