@@ -120,7 +120,7 @@ Loaded uneven_strips(ImageSize size) {
         const auto corner = [&](int strip, float v) {
             const double parts = strip / 2 * 5 + strip % 2;
             return Corner{at_raster(paper, {field.from.x + extent.x * parts / (count / 2 * 5),
-                                           v == 0 ? field.from.y : field.to.y}),
+                                            v == 0 ? field.from.y : field.to.y}),
                           {float(strip) / 64, v}};
         };
         for (int strip = 0; strip < count; ++strip)
