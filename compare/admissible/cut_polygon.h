@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/bounds/triangle_image.h"
+#include "math/rational.h"
 
 namespace zproof {
 
