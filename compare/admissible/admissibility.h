@@ -38,13 +38,15 @@ struct Decision {
 /// none. In double, then by intervals, then by rationals.
 Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar);
 
-/// May an admissible answer lie there, or does what covers the pixel for certain lie in front of that inverse
-/// depth? An image so thin that nothing bounds its depth may turn over: a neighbour that has an edge of it
-/// comes to lie beside it then, and hides none of it. Yes where it would take too much work.
+/// What may_lie_at() found.
 struct DepthDecision {
     bool may_lie_there = true;
     std::size_t work = 0;  ///< that it took
 };
+
+/// May an admissible answer lie there, or does what covers the pixel for certain lie in front of that inverse
+/// depth? An image so thin that nothing bounds its depth may turn over: a neighbour that has an edge of it
+/// comes to lie beside it then, and hides none of it. Yes where it would take too much work.
 DepthDecision may_lie_at(double inverse_depth, const Neighbourhood& around, PrimitiveId answer,
                          CoplanarCache& coplanar);
 
