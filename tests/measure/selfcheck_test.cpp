@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -112,11 +113,23 @@ TEST(Selfcheck, FindsFaultByTheVariantThatTheDefectCannotBear) {
     EXPECT_TRUE(is_found(loses_the_last_tile, "cut into tiles", {165, 90}));
 }
 
+Frame draws_nothing(const Scene&, const View& view) { return Frame({view.width, view.height}); }
+
+/// Draws half of the scene, and no two of its frames have the same bits.
+Frame draws_half_unsteadily(const Scene& scene, const View& view) {
+    static int frame_count = 0;
+    Frame frame = sees_only_positive_x(scene, view);
+    float& depth =
+        *std::ranges::find_if(frame.camera_depth.pixels(), [](float d) { return std::isfinite(d); });
+    if (++frame_count % 2 == 0) depth = std::nextafter(depth, 0.f);
+    return frame;
+}
+
+TEST(Selfcheck, AsksTheSceneWhereTwoFramesHaveTheSameBits) { EXPECT_TRUE(is_found(draws_nothing, "")); }
+
 TEST(Selfcheck, TellsNothingOfAnErrorThatAllVariantsShare) {
-    const Render draws_nothing = [](const Scene&, const View& view) {
-        return Frame({view.width, view.height});
-    };
-    EXPECT_FALSE(is_found(draws_nothing, ""));
+    EXPECT_TRUE(is_found(sees_only_positive_x, "reversed order"));
+    EXPECT_FALSE(is_found(draws_half_unsteadily, "reversed order"));
 }
 
 TEST(Selfcheck, HoldsForARayCasterByItsOwnPromise) {
