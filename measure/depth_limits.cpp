@@ -5,12 +5,14 @@
 namespace zproof::measure {
 namespace {
 
-bool is_drawn(const Frame& frame) { return frame.primitive.at(0, 0) != PrimitiveId::none; }
+bool is_drawn(const Frame& frame, int lane) {
+    return frame.primitive.at(0, row_of(lane)) != PrimitiveId::none;
+}
 
 bool is_drawn_at(const Renderer& renderer, const View& view, float z) {
     Scene scene;
-    add_flat(scene, view, Half::left, z);
-    return is_drawn(renderer.render(scene, view));
+    add_flat(scene, view, 0, Half::left, z);
+    return is_drawn(renderer.render(scene, view), 0);
 }
 
 /// The eye stands `depth` from z = 0, where the plane is. Outwards is towards the eye for near, away from it
@@ -27,11 +29,14 @@ DepthLimit depth_limit(const Renderer& renderer, Projection projection, LimitPla
                      .offset = {},
                      .keeps_plane = is_drawn_at(renderer, view, 0)};
     if (is_drawn_at(renderer, view, z_of(reach))) return limit;
-    const Probe probe{.low = -reach,
-                      .high = reach,
-                      .draw = [&](Scene& scene, float out) { add_flat(scene, view, Half::left, z_of(out)); },
-                      .answer = is_drawn};
-    const Flip flip = bisect(renderer, view, {probe}).front();
+    std::vector<Probe> lanes;
+    for (int lane = 0; lane < lane_count; ++lane)
+        lanes.push_back({.low = -reach,
+                         .high = reach,
+                         .draw = [&, lane](Scene& scene,
+                                           float out) { add_flat(scene, view, lane, Half::left, z_of(out)); },
+                         .answer = [lane](const Frame& frame) { return is_drawn(frame, lane); }});
+    const Flip flip = bisect_in_lanes(renderer, view, lanes);
     limit.offset = Bracket{flip.low, flip.high};
     return limit;
 }

@@ -8,7 +8,8 @@
 namespace zproof::measure {
 namespace {
 
-constexpr PrimitiveId one_first{0}, other_second{1}, other_first{2}, one_second{3};
+/// A lane's triangles, in the order in which they are drawn.
+enum Drawn : std::uint32_t { one_first, other_second, other_first, one_second, drawn_count };
 
 /// One triangle before another by `nearer`, told apart from `at` whichever is drawn first.
 class Pair {
@@ -18,30 +19,37 @@ class Pair {
 
     /// How much nearer than a triangle at z = start another must be, to be seen before it.
     Flip threshold(float start) {
-        const Probe probe{.low = start,
-                          .high = start + float(depth_ / 8),
-                          .draw = [&](Scene& scene, float z) { draw(scene, start, z); },
-                          .answer = [&](const Frame& frame) { return !is_nearer(frame); }};
-        return bisect(renderer_, view_, {probe}).front();
+        std::vector<Probe> lanes;
+        for (int lane = 0; lane < lane_count; ++lane)
+            lanes.push_back(
+                {.low = start,
+                 .high = start + float(depth_ / 8),
+                 .draw = [this, lane, start](Scene& scene, float z) { draw(scene, lane, start, z); },
+                 .answer = [this, lane, start](const Frame& f) { return !is_nearer(f, lane, start); }});
+        return bisect_in_lanes(renderer_, view_, lanes);
     }
     double error() const { return error_; }
 
   private:
-    void draw(Scene& scene, float one, float other) {
-        one_ = one, other_ = other;
-        add_flat(scene, view_, Half::left, one);
-        add_flat(scene, view_, Half::left, other);
-        add_flat(scene, view_, Half::right, other);
-        add_flat(scene, view_, Half::right, one);
+    void draw(Scene& scene, int lane, float one, float other) {
+        other_[std::size_t(lane)] = other;
+        add_flat(scene, view_, lane, Half::left, one);
+        add_flat(scene, view_, lane, Half::left, other);
+        add_flat(scene, view_, lane, Half::right, other);
+        add_flat(scene, view_, lane, Half::right, one);
     }
 
-    bool is_nearer(const Frame& frame) {
-        const PrimitiveId left = frame.primitive.at(0, 0), right = frame.primitive.at(1, 0);
-        note_error(frame.camera_depth.at(0, 0), left == other_second ? other_ : one_);
-        note_error(frame.camera_depth.at(1, 0), right == other_first ? other_ : one_);
-        if ((left != one_first && left != other_second) || (right != one_second && right != other_first))
+    bool is_nearer(const Frame& frame, int lane, float one) {
+        const auto id = [&](Drawn drawn) { return PrimitiveId(drawn_count * std::uint32_t(lane) + drawn); };
+        const float other = other_[std::size_t(lane)];
+        const int row = row_of(lane);
+        const PrimitiveId left = frame.primitive.at(0, row), right = frame.primitive.at(1, row);
+        note_error(frame.camera_depth.at(0, row), left == id(other_second) ? other : one);
+        note_error(frame.camera_depth.at(1, row), right == id(other_first) ? other : one);
+        if ((left != id(one_first) && left != id(other_second)) ||
+            (right != id(one_second) && right != id(other_first)))
             throw Unmeasurable{"a pixel does not show a triangle that covers it"};
-        return left == other_second && right == other_first;
+        return left == id(other_second) && right == id(other_first);
     }
 
     void note_error(float seen, float z) {
@@ -51,7 +59,7 @@ class Pair {
     const Renderer& renderer_;
     View view_;
     double depth_;
-    float one_ = 0, other_ = 0;
+    std::array<float, lane_count> other_{};  ///< where a lane has drawn the other triangle
     double error_ = 0;
 };
 

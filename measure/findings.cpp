@@ -58,7 +58,7 @@ class Allowed {
     }
     TriangleBounds bounds_of_flat(const View& view) const {
         Scene scene;
-        add_flat(scene, view, Half::left, 0);
+        add_flat(scene, view, 0, Half::left, 0);
         return bounds_in(view, scene);
     }
 

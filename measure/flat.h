@@ -6,8 +6,9 @@
 
 namespace zproof::measure {
 
-/// 2 x 2 px around the origin, the eye on the z axis at eye_depth: the plane z = t has camera depth
-/// eye_depth - t, and near t = 0 float32 coordinates are finer than any depth buffer.
+/// 2 px wide and two rows high for each lane, around the origin, the eye on the z axis at eye_depth: the
+/// plane z = t has camera depth eye_depth - t, and near t = 0 float32 coordinates are finer than any depth
+/// buffer.
 View flat_view(Projection projection, double eye_depth, const Bracket& near_and_far);
 
 /// Near and far of the views that look for steps of depth, and for the planes themselves.
@@ -15,8 +16,12 @@ inline constexpr Bracket depth_range_of_steps{1, 512}, depth_range_of_limits{0.7
 
 enum class Half { left, right };
 
-/// Covers the samples of one column of that view's pixels, and none of the other's.
-void add_flat(Scene& scene, const View& view, Half half, float z);
+inline constexpr int lane_count = 64;
+constexpr int row_of(int lane) { return 2 * lane; }
+
+/// Covers the sample in one column of the lane's row, wherever in its pixel that is, and those of no other
+/// lane.
+void add_flat(Scene& scene, const View& view, int lane, Half half, float z);
 
 inline constexpr std::array both_projections{Projection::parallel, Projection::perspective};
 

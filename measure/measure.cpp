@@ -68,8 +68,8 @@ Measurement measure(const Renderer& subject, const ProgressSink& progress) {
         runner.attempt(axis == Axis::x ? "sub-pixel grid, x" : "sub-pixel grid, y", 32,
                        [&] { m.displacement[std::size_t(axis)] = displacement(renderer, sample, axis); });
     runner.attempt("fill side", 1, [&] { m.fill = fill_sides(renderer, sample); });
-    runner.attempt("depth steps", 372, [&] { m.depth_steps = depth_steps(renderer); });
-    runner.attempt("near and far", 140, [&] { m.depth_limits = depth_limits(renderer); });
+    runner.attempt("depth steps", 70, [&] { m.depth_steps = depth_steps(renderer); });
+    runner.attempt("near and far", 32, [&] { m.depth_limits = depth_limits(renderer); });
     runner.attempt("watertightness", 42, [&] { m.watertightness = watertightness(renderer, sample); });
     return m;
 }

@@ -20,9 +20,9 @@ struct ProgressSink {
     std::function<bool()> wants_to_stop = [] { return false; };  ///< asked before every picture
 };
 
-inline constexpr int instrument_count = 7, about_all_pictures = 621;  ///< of a whole measurement
+inline constexpr int instrument_count = 7, about_all_pictures = 211;  ///< of a whole measurement
 
-/// Draws the probe scenes, some 700 pictures of at most 16384 pixels, and reads them. What they do not tell
+/// Draws the probe scenes, some 210 pictures of at most 16384 pixels, and reads them. What they do not tell
 /// stands in Measurement::unmeasured; what the renderer throws is passed on. Where the progress sink wants to
 /// stop, what the instruments before found is all that is found.
 Measurement measure(const Renderer& renderer, const ProgressSink& progress = {});

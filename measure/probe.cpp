@@ -1,5 +1,6 @@
 #include "measure/probe.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -86,6 +87,28 @@ std::vector<Flip> bisect(const Renderer& renderer, const View& view, const std::
     std::vector<Flip> flips;
     for (std::size_t i = 0; i < probes.size(); ++i) flips.push_back({at_place(low[i]), at_place(high[i])});
     return flips;
+}
+
+Flip bisect_in_lanes(const Renderer& renderer, const View& view, const std::vector<Probe>& lanes) {
+    std::int64_t low = place_of(lanes.front().low), high = place_of(lanes.front().high);
+    const auto count = std::int64_t(lanes.size());
+    std::vector<std::int64_t> places(lanes.size());
+    for (std::int64_t i = 1; i < count; ++i)
+        places[std::size_t(i)] = std::max(low + 1, low + (high - low) * i / (count - 1));
+    places.front() = low;
+    std::vector<char> all = answers(renderer, view, lanes, places);
+    expect_everywhere(true, {all.front()});
+    expect_everywhere(false, {all.back()});
+    for (;;) {
+        const auto no = std::size_t(std::ranges::find(all, false) - all.begin());
+        if (no < all.size()) high = places[no];
+        // where two lanes asked at one place, others asked at the place before it
+        if (no > 0) low = std::min(places[no - 1], high - 1);
+        if (high - low <= 1) return {at_place(low), at_place(high)};
+        for (std::int64_t i = 0; i < count; ++i)
+            places[std::size_t(i)] = std::max(low + 1, low + (high - low) * (i + 1) / (count + 1));
+        all = answers(renderer, view, lanes, places);
+    }
 }
 
 double simplest_in(const Bracket& bracket) {

@@ -50,6 +50,10 @@ struct Flip {
 /// Throws Unmeasurable where an answer is not yes at low and no at high.
 std::vector<Flip> bisect(const Renderer& renderer, const View& view, const std::vector<Probe>& probes);
 
+/// Finds where one answer turns. The lanes, at least two, ask it in parts of one picture that do not touch,
+/// each at a place of its own: 64 of them take at most 6 pictures. Throws as `bisect` does.
+Flip bisect_in_lanes(const Renderer& renderer, const View& view, const std::vector<Probe>& lanes);
+
 /// The number with the fewest binary places in a bracket of width > 0.
 double simplest_in(const Bracket& bracket);
 

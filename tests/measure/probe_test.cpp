@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "subjects.h"
@@ -58,6 +59,50 @@ TEST(Bisect, RefusesAnAnswerThatDoesNotTurn) {
     float drawn = 0;
     EXPECT_THROW(bisect(blind.renderer(), raster_view(1, 1), {probe_at(9, 0, 1, drawn)}), Unmeasurable);
     EXPECT_THROW(bisect(blind.renderer(), raster_view(1, 1), {probe_at(-9, 0, 1, drawn)}), Unmeasurable);
+}
+
+/// Lanes that answer alike.
+std::vector<Probe> lanes_at(float threshold, float low, float high, std::array<float, 64>& drawn) {
+    std::vector<Probe> lanes;
+    for (float& of_lane : drawn) lanes.push_back(probe_at(threshold, low, high, of_lane));
+    return lanes;
+}
+
+TEST(BisectInLanes, EndsAtNeighbouringFloatsAfterSixPictures) {
+    for (const float threshold : {1.0f, 0.1f, -3.5f, 0.0f, 1e-30f, -4.0f, 3.9999998f}) {
+        Blind blind;
+        std::array<float, 64> drawn{};
+        const Flip flip =
+            bisect_in_lanes(blind.renderer(), raster_view(1, 1), lanes_at(threshold, -4, 4, drawn));
+        EXPECT_EQ(flip.low, threshold);
+        EXPECT_EQ(flip.high, std::nextafter(threshold, 9.0f));
+        EXPECT_LE(blind.pictures, 6);
+    }
+}
+
+/// Each lane turns at a place of its own: the ends are two that lanes said, and neighbours.
+TEST(BisectInLanes, EndsWhereTheLanesDiffer) {
+    for (int widest = 1; widest < 200; widest += 3) {
+        Blind blind;
+        std::array<float, 64> drawn{};
+        std::vector<Probe> lanes;
+        for (std::size_t i = 0; i < drawn.size(); ++i)
+            lanes.push_back(probe_at(1 + float(int(i) * 7919 % widest) * 0x1p-23f, 1,
+                                     1 + float(widest) * 0x1p-23f, drawn[i]));
+        const Flip flip = bisect_in_lanes(blind.renderer(), raster_view(1, 1), lanes);
+        EXPECT_EQ(flip.high, std::nextafter(flip.low, 9.0f));
+        EXPECT_GE(flip.low, 1.0f);
+        EXPECT_LT(flip.low, 1.0f + float(widest) * 0x1p-23f);
+        EXPECT_LE(blind.pictures, 2);
+    }
+}
+
+TEST(BisectInLanes, RefusesAnAnswerThatDoesNotTurn) {
+    Blind blind;
+    std::array<float, 64> drawn{};
+    for (const float threshold : {9.0f, -9.0f})
+        EXPECT_THROW(bisect_in_lanes(blind.renderer(), raster_view(1, 1), lanes_at(threshold, 0, 1, drawn)),
+                     Unmeasurable);
 }
 
 TEST(SimplestIn, HasTheFewestBinaryPlaces) {
