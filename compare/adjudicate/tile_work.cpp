@@ -130,11 +130,12 @@ bool TileWork::reaches_a_side() const {
     return nearest_px <= around_.eps_px;
 }
 
-std::size_t TileWork::count_within(const PixelQuery& query, double reach_px) {
+bool TileWork::has_too_many_within(const PixelQuery& query, double reach_px) {
+    if (triangles_.count() <= most_neighbours) return false;
     std::size_t count = 0;
     for (std::size_t place = 0; place < triangles_.count(); ++place)
         count += distance_px_from(triangles_.box(place, *query.bounds), {query.x, query.y}) <= reach_px;
-    return count;
+    return count > most_neighbours;
 }
 
 /// Is one end of what it may hold for its depth open?
@@ -239,7 +240,7 @@ double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult
         adjudicated = {};
         return 0;
     }
-    if (!is_work_left || count_within(query, searched_px) > most_neighbours) {
+    if (!is_work_left || has_too_many_within(query, searched_px)) {
         adjudicated = {.decision = {Admissibility::undecidable, false, searched_px / first_reach}};
         return 0;
     }

@@ -60,7 +60,8 @@ class TileWork {
     void look_at(const PixelQuery& query, double reach_px);
     double own_eps_px(const PixelQuery& query) const;
     double eps_px_within(double reach_px, double own_eps_px) const;
-    std::size_t count_within(const PixelQuery& query, double reach_px);
+    /// Are more triangles near than are looked at?
+    bool has_too_many_within(const PixelQuery& query, double reach_px);
     void gather(double reach_px);
     void add_answer(const PixelQuery& query);
     double farthest_depth(const PixelQuery& query, Admissibility admissibility);

@@ -36,7 +36,7 @@ class WaiverFileOnDisk : public testing::Test {
     WaiverFileOnDisk() {
         folder.write("two.gltf", two_triangles());
         run(folder, {"run", "two.gltf", "--width", "64", "--height", "48", "--oracle", "none", "--config",
-                     "none", "--precision", "raster,subpixel_bits=16", "-o", "a", "-q"});
+                     "none", "--precision", "raster,subpixel_bits=16", "--no-diagnosis", "-o", "a", "-q"});
         const auto results = nlohmann::json::parse(folder.read("a/results.json"));
         const auto& worst = results.at("views")[0].at("worst")[0];
         const auto number = [&](const char* key) { return std::to_string(worst.at(key).get<int>()); };
