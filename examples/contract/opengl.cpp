@@ -54,6 +54,19 @@ GLuint renderbuffer(GLenum attachment, GLenum format, const zc::Camera& camera) 
     return made;
 }
 
+/// Its z from -1 at near to 1 at far, as OpenGL clips it, whatever the view's own is.
+zc::Camera with_opengl_z(zc::Camera camera) {
+    const double near = camera.near, far = camera.far;
+    auto& z = camera.clip_from_camera[2];
+    if (!camera.perspective)
+        z = {0, 0, 2 / (near - far), (near + far) / (near - far)};
+    else if (far == zc::infinity)
+        z = {0, 0, -1, -2 * near};
+    else
+        z = {0, 0, (near + far) / (near - far), 2 * near * far / (near - far)};
+    return camera;
+}
+
 /// By columns, in float32: the product is rounded once.
 std::vector<float> clip_from_world(const zc::Camera& camera) {
     std::vector<float> matrix;
@@ -90,6 +103,7 @@ void draw(const std::vector<zc::Triangle>& triangles, const zc::Camera& camera) 
                        clip_from_world(camera).data());
     glViewport(0, 0, camera.width, camera.height);
     glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);  // what lies as far as nothing does is drawn
     const GLuint nothing[4] = {zc::background, 0, 0, 0};
     glClearBufferuiv(GL_COLOR, 0, nothing);
     glClear(GL_DEPTH_BUFFER_BIT);
@@ -100,10 +114,11 @@ void draw(const std::vector<zc::Triangle>& triangles, const zc::Camera& camera) 
 double depth_of(double window_z, const zc::Camera& camera) {
     const double ndc = 2 * window_z - 1;
     const auto &z = camera.clip_from_camera[2], &w = camera.clip_from_camera[3];
-    return (z[3] - ndc * w[3]) / (z[2] - ndc * w[2]);
+    return (ndc * w[3] - z[3]) / (ndc * w[2] - z[2]);
 }
 
-zc::Frame render(const std::vector<zc::Triangle>& triangles, const zc::Camera& camera) {
+zc::Frame render(const std::vector<zc::Triangle>& triangles, const zc::Camera& given) {
+    const zc::Camera camera = with_opengl_z(given);
     make_context();
     GLuint framebuffer = 0;
     glGenFramebuffers(1, &framebuffer);
