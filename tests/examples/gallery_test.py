@@ -85,6 +85,8 @@ RENDERERS = {
     'three_swiftshader': Trial('three.js on SwiftShader', 'npm three', 'webgl,subpixel_bits=4', three('swiftshader'),
                                scenes=['room'], section='three.js'),
     'blender': Trial('Blender Cycles', 'blender', 'cycles', script('blender_render.py'), size=(160, 90)),
+    'bvhtree': Trial("Blender's BVHTree", 'blender', 'ray,test=woop,direction_roundings=2',
+                     script('bvhtree_render.py')),
     'bullet': Trial('Bullet', 'libbullet-dev', 'ray,barycentric_tolerance=1e-4,depth_of_range=3e-7',
                     compiled('bullet_render', '-I', '/usr/include/bullet', '-lBulletCollision', '-lLinearMath')),
     'cgal': Trial('CGAL', 'libcgal-dev', 'ray,arithmetic=float64',
