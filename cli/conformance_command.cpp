@@ -4,8 +4,11 @@
 #include "cli/commands.h"
 #include "cli/judgement.h"
 #include "cli/measurement_run.h"
+#include "cli/outcome_code.h"
 #include "cli/renderers/registry.h"
 #include "cli/selected_scenes.h"
+#include "cli/texture_promises.h"
+#include "program/interrupt.h"
 #include "reports/conformance_report.h"
 
 namespace zproof {
@@ -38,6 +41,11 @@ Foreword foreword_of(const ConformanceArguments& arguments, const Results& resul
         promises.refusal = e.what();
         code = ExitCode::cannot_judge;
     }
+    if (!interrupted()) promises.textures = texture_promises(arguments.renderer, arguments.report.common);
+    for (const TexturePromise& texture : promises.textures)
+        code = worst_of({code, !texture.refusal.empty() ? ExitCode::cannot_judge
+                               : texture.is_broken      ? ExitCode::defect
+                                                        : ExitCode::proven});
     return {conformance_document(results, promises), "conformance.json", code};
 }
 

@@ -1,6 +1,7 @@
 #include "reports/conformance_report.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
@@ -130,10 +131,22 @@ Table interpolation(const Results& results) {
     return table;
 }
 
-Table sampling() {
+Row filter(const TexturePromise& texture) {
+    const std::string asked = texture.filter + " filter";
+    if (!texture.refusal.empty())
+        return {asked, texture.promise, one_line(texture.refusal), std::string{not_judged}};
+    return {asked, texture.promise,
+            "largest error / bound " + with_digits(texture.error_over_bound, 3) + ", " +
+                counted(texture.pixels, "pixel") + ", " + std::to_string(texture.outside) + " outside",
+            std::string{texture.is_broken ? broken : kept}};
+}
+
+Table sampling(const std::vector<TexturePromise>& textures) {
     Table table = promises("sampling", "Textures");
-    table.rows = {{std::string{"texture filters"}, std::string{"a definition, at declared bits"},
-                   std::string{"zproof filters check asks them"}, std::string{not_asked}}};
+    for (const TexturePromise& texture : textures) table.rows.push_back(filter(texture));
+    if (textures.empty())
+        table.rows = {{std::string{"texture filters"}, std::string{"a definition, at declared bits"},
+                       std::string{"zproof filters check asks them"}, std::string{not_asked}}};
     return table;
 }
 
@@ -156,10 +169,19 @@ std::string title_of(const std::string& renderer, const std::vector<const Table*
 
 }  // namespace
 
+void read_filter_check(TexturePromise& promise, const std::string& json) {
+    const auto found = nlohmann::json::parse(json).at("pictures").at(0);
+    promise.pixels = found.at("pixels");
+    promise.outside = found.at("outside");
+    promise.error_over_bound = found.at("slack");
+    promise.is_broken = found.at("outcome") == "failed";
+    if (found.at("outcome") == "nothing") promise.refusal = "nothing is proved";
+}
+
 document::Document conformance_document(const Results& results, const MeasuredPromises& measured) {
     const RendererFacts& device = results.renderers.front();
     const Table raster = rasterization(results, measured), between = interpolation(results),
-                textures = sampling();
+                textures = sampling(measured.textures);
     return {
         .title = title_of(device.name, {&raster, &between, &textures}),
         .command = results.command,

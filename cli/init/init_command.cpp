@@ -53,7 +53,7 @@ Beginning beginning_in(InitArguments::Language language) {
             .helper = "zproof_contract.h",
             .build = "g++ -O2 -std=c++17 -o opengl opengl.cpp -lOpenGL -lEGL",
             .command = "./opengl",
-            .precision = "opengl",
+            .precision = "opengl,origin=eye",
             .debian_packages = "g++ libegl-dev libopengl-dev libgl1-mesa-dri"};
 }
 

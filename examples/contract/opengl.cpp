@@ -2,7 +2,7 @@
 // (docs/renderer-contract.md).
 //
 //   g++ -O2 -std=c++17 -o opengl opengl.cpp -lOpenGL -lEGL
-//   zproof contract-check './opengl {scene} {camera} {width} {height} {out}' --precision opengl
+//   zproof contract-check './opengl {scene} {camera} {width} {height} {out}' --precision opengl,origin=eye
 #define GL_GLEXT_PROTOTYPES
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -14,9 +14,9 @@
 namespace zc = zproof_contract;
 
 constexpr const char* vertex_text = R"(#version 330
-uniform mat4 clip_from_world;
-layout(location = 0) in vec3 p_world;
-void main() { gl_Position = clip_from_world * vec4(p_world, 1); }
+uniform mat4 clip_from_eye;
+layout(location = 0) in vec3 p_eye;
+void main() { gl_Position = clip_from_eye * vec4(p_eye, 1); }
 )";
 constexpr const char* fragment_text = R"(#version 330
 layout(location = 0) out uint id;
@@ -54,13 +54,26 @@ GLuint renderbuffer(GLenum attachment, GLenum format, const zc::Camera& camera) 
     return made;
 }
 
-/// By columns, in float32: the product is rounded once.
-std::vector<float> clip_from_world(const zc::Camera& camera) {
+/// Its z from -1 at near to 1 at far, as OpenGL clips it, whatever the view's own is.
+zc::Camera with_opengl_z(zc::Camera camera) {
+    const double near = camera.near, far = camera.far;
+    auto& z = camera.clip_from_camera[2];
+    if (!camera.perspective)
+        z = {0, 0, 2 / (near - far), (near + far) / (near - far)};
+    else if (far == zc::infinity)
+        z = {0, 0, -1, -2 * near};
+    else
+        z = {0, 0, (near + far) / (near - far), 2 * near * far / (near - far)};
+    return camera;
+}
+
+/// By columns, in float32, of positions from which the eye is subtracted: the product is rounded once.
+std::vector<float> clip_from_eye(const zc::Camera& camera) {
     std::vector<float> matrix;
     for (std::size_t column = 0; column < 4; ++column)
         for (std::size_t row = 0; row < 4; ++row) {
-            double sum = 0;
-            for (std::size_t k = 0; k < 4; ++k)
+            double sum = column < 3 ? 0 : camera.clip_from_camera[row][3];
+            for (std::size_t k = 0; k < 3 && column < 3; ++k)
                 sum += camera.clip_from_camera[row][k] * camera.camera_from_world[k][column];
             matrix.push_back(float(sum));
         }
@@ -68,16 +81,18 @@ std::vector<float> clip_from_world(const zc::Camera& camera) {
 }
 
 void draw(const std::vector<zc::Triangle>& triangles, const zc::Camera& camera) {
-    std::vector<float> p_world;
+    std::vector<float> p_eye;
     for (const zc::Triangle& triangle : triangles)
-        for (const zc::Vec3& corner : triangle)
-            for (const double x : {corner.x, corner.y, corner.z}) p_world.push_back(float(x));
+        for (const zc::Vec3& corner : triangle) {
+            const zc::Vec3 p = corner - camera.eye;  // far from the origin float32 is coarse
+            for (const double x : {p.x, p.y, p.z}) p_eye.push_back(float(x));
+        }
     GLuint array = 0, buffer = 0;
     glGenVertexArrays(1, &array);
     glBindVertexArray(array);
     glGenBuffers(1, &buffer);
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(p_world.size() * sizeof(float)), p_world.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(p_eye.size() * sizeof(float)), p_eye.data(), GL_STATIC_DRAW);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
     glEnableVertexAttribArray(0);
 
@@ -86,10 +101,11 @@ void draw(const std::vector<zc::Triangle>& triangles, const zc::Camera& camera) 
     shader(GL_FRAGMENT_SHADER, fragment_text, program);
     glLinkProgram(program);
     glUseProgram(program);
-    glUniformMatrix4fv(glGetUniformLocation(program, "clip_from_world"), 1, GL_FALSE,
-                       clip_from_world(camera).data());
+    glUniformMatrix4fv(glGetUniformLocation(program, "clip_from_eye"), 1, GL_FALSE,
+                       clip_from_eye(camera).data());
     glViewport(0, 0, camera.width, camera.height);
     glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);  // what lies as far as nothing does is drawn
     const GLuint nothing[4] = {zc::background, 0, 0, 0};
     glClearBufferuiv(GL_COLOR, 0, nothing);
     glClear(GL_DEPTH_BUFFER_BIT);
@@ -100,10 +116,11 @@ void draw(const std::vector<zc::Triangle>& triangles, const zc::Camera& camera) 
 double depth_of(double window_z, const zc::Camera& camera) {
     const double ndc = 2 * window_z - 1;
     const auto &z = camera.clip_from_camera[2], &w = camera.clip_from_camera[3];
-    return (z[3] - ndc * w[3]) / (z[2] - ndc * w[2]);
+    return (ndc * w[3] - z[3]) / (ndc * w[2] - z[2]);
 }
 
-zc::Frame render(const std::vector<zc::Triangle>& triangles, const zc::Camera& camera) {
+zc::Frame render(const std::vector<zc::Triangle>& triangles, const zc::Camera& given) {
+    const zc::Camera camera = with_opengl_z(given);
     make_context();
     GLuint framebuffer = 0;
     glGenFramebuffers(1, &framebuffer);

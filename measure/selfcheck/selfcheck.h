@@ -23,7 +23,8 @@ struct VariantResult {
 };
 
 /// Draws the view's variant, and judges it against the original's frame by the declared precision. An error
-/// that both share is seen only where both have the same bits (docs/truth.md). Throws what the renderer throws.
+/// that both share is seen only where both have the same bits (docs/truth.md). Throws what the renderer
+/// throws.
 VariantResult check_variant(const Renderer& renderer, const Scene& scene, const View& view,
                             const Frame& original, const Variant& variant);
 

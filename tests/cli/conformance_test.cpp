@@ -38,6 +38,15 @@ TEST(Conformance, OfABoasterFails) {
     EXPECT_THAT(ran.out, HasSubstr("\ndefect: "));
 }
 
+TEST(Conformance, OfADeviceAsksItsTextures) {
+    const Folder folder;
+    const Ran ran =
+        run(folder, {"conformance", "vulkan", "--device", "llvmpipe", "--random", "1", "-o", "c"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+    EXPECT_THAT(ran.out, ContainsRegex("trilinear filter .* 65,536 pixels, 0 outside +kept"));
+    EXPECT_THAT(ran.out, HasSubstr("keeps all 31 promises"));
+}
+
 TEST(Conformance, OfAProgramThatDrawsNothingJudgesNothing) {
     const Folder folder;
     const Ran ran = run(folder, {"conformance", "false {out}", "--random", "1", "-o", "c"});

@@ -2,7 +2,7 @@
 """The bugs of docs/found.md that Debian's packages show: each is there still, in the words of that page. Where
 one was mended, the page has to say so.
 
-    found_test.py ZPROOF SOURCE embree|swiftshader|softpipe|numbers|anisotropy|sliver|openscenegraph
+    found_test.py ZPROOF SOURCE embree|swiftshader|softpipe|numbers|anisotropy|sliver|openscenegraph|rapier
 """
 import os
 import re
@@ -76,6 +76,12 @@ def openscenegraph(_zproof, source, folder):
     subprocess.run(['g++', f'{source}/examples/found/osg_double.cpp', '-losgUtil', '-losg', '-lOpenThreads', '-o',
                     program], check=True)
     expect(printed([program], 1), 'counter-clockwise: hit, clockwise: miss')
+
+
+def rapier(_zproof, source, folder):
+    subprocess.run(['npm', 'install', '--prefix', folder, '@dimforge/rapier3d-compat@0.21.0'], check=True)
+    expect(printed(['node', f'{source}/examples/found/rapier_faces.cjs'], 0, NODE_PATH=f'{folder}/node_modules'),
+           'triangle 1, front: 0, back: 1')
 
 
 def main():

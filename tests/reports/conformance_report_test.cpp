@@ -88,6 +88,26 @@ TEST(ConformanceReport, IsNotKeptWhereWhatWasMeasuredIsWorse) {
               "not promised");
 }
 
+TEST(ConformanceReport, CountsTextureFilters) {
+    MeasuredPromises promises = measured(Conformity::as_declared);
+    TexturePromise trilinear{.filter = "trilinear", .promise = "trilinear-gl"};
+    read_filter_check(trilinear, R"({"pictures": [{"pixels": 4096, "outside": 7, "slack": 1.5,
+                                                   "outcome": "failed"}]})");
+    promises.textures = {trilinear};
+    auto document = conformance_document(proven_results(), promises);
+    EXPECT_EQ(document.title, "mine breaks 1 of 5 promises");
+    EXPECT_EQ(row(document, "trilinear filter")[2], "largest error / bound 1.5, 4,096 pixels, 7 outside");
+    EXPECT_EQ(row(document, "trilinear filter")[3], "NOT KEPT");
+    read_filter_check(promises.textures[0], R"({"pictures": [{"pixels": 4096, "outside": 0, "slack": 1,
+                                                              "outcome": "passed"}]})");
+    EXPECT_EQ(conformance_document(proven_results(), promises).title, "mine keeps all 5 promises");
+    read_filter_check(promises.textures[0], R"({"pictures": [{"pixels": 4096, "outside": 0, "slack": 1,
+                                                              "outcome": "nothing"}]})");
+    document = conformance_document(proven_results(), promises);
+    EXPECT_EQ(document.title, "mine: 1 of 5 promises not judged");
+    EXPECT_EQ(row(document, "trilinear filter")[2], "nothing is proved");
+}
+
 TEST(ConformanceReport, SaysWhatWasNotJudged) {
     Results results = proven_results();
     results.views[0].outcome = Outcome::unreadable;
