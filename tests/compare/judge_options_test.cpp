@@ -11,7 +11,6 @@
 #include "compare/admissible/admissibility.h"
 #include "compare/admissible/depth_rule.h"
 #include "compare/agree/agree.h"
-#include "compare/agree/row_counts.h"
 #include "compare/judge.h"
 #include "random_surroundings.h"
 #include "test_scene.h"
