@@ -14,9 +14,6 @@ namespace {
 /// square changes nothing.
 constexpr double first_reach = 2;
 
-/// Pairs of a tile that are remembered.
-constexpr std::size_t coplanar_pairs = 256;
-
 /// What takes about as long as a cut of a region by a half-plane: to look where so many triangles lie, and to
 /// bound so many neighbours.
 constexpr std::size_t looks_per_cut = 16, neighbours_per_cut = 4;
@@ -44,7 +41,6 @@ bool take(std::size_t work, std::size_t& left) {
 TileWork::TileWork(const Setting& setting, std::span<const std::uint32_t> near, std::size_t most_work)
     : setting_(setting),
       triangles_(setting.scene, setting.view, setting.search, near),
-      coplanar_(coplanar_pairs),
       around_{.view = setting.view, .neighbours = {}},
       work_left_(most_work),
       displacement_work_left_(most_work) {}
@@ -157,7 +153,7 @@ double TileWork::farthest_depth(const PixelQuery& query, Admissibility admissibi
     if (inverse_depths.size() == 1) return unlimited;
     std::ranges::sort(inverse_depths);
     const auto is_hidden = [&](double inverse_depth) {
-        const DepthDecision found = may_lie_at(inverse_depth, around_, query.answer, coplanar_);
+        const DepthDecision found = may_lie_at(inverse_depth, around_, query.answer);
         take(found.work + around_.neighbours.size() / neighbours_per_cut, work_left_);
         return !found.may_lie_there;
     };
@@ -172,7 +168,7 @@ void TileWork::decide_around(const PixelQuery& query, QueryResult& adjudicated) 
     const std::size_t most_work = around_.most_work,
                       at_least = around_.neighbours.size() / neighbours_per_cut;
     around_.most_work = std::min(most_work, work_left_);
-    adjudicated = {.decision = zproof::decide(around_, query.answer, coplanar_)};
+    adjudicated = {.decision = zproof::decide(around_, query.answer)};
     take(adjudicated.decision.work + at_least, work_left_);
     if (is_admissible(adjudicated.decision.admissibility))
         adjudicated.farthest_depth = farthest_depth(query, adjudicated.decision.admissibility);
@@ -180,7 +176,7 @@ void TileWork::decide_around(const PixelQuery& query, QueryResult& adjudicated) 
     if (adjudicated.decision.admissibility != Admissibility::visible) return;
     if (!take(at_least, displacement_work_left_)) return;
     around_.most_work = std::min(most_work, displacement_work_left_);
-    const LeastDisplacement found = displacement_of(around_, query.answer, coplanar_);
+    const LeastDisplacement found = displacement_of(around_, query.answer);
     adjudicated.displacement_over_eps = found.over_eps;
     take(found.work, displacement_work_left_);
 }

@@ -69,7 +69,6 @@ class TileWork {
 
     const Setting& setting_;
     TriangleCache triangles_;
-    CoplanarCache coplanar_;
     PixelCoord pixel_{-1, -1};
     double seen_px_ = 0;  ///< so far
     std::vector<NearTriangle> seen_;

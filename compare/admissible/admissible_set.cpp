@@ -49,13 +49,12 @@ double tolerated_px(const Neighbour& n) {
 }  // namespace
 
 template <class Number>
-AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around, CoplanarCache& coplanar)
+AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around)
     : around_(around),
       ray_(around.view, around.x, around.y),
       drawn_(around.neighbours.size()),
       pieces_(around.neighbours.size()),
-      front_to_back_(around.neighbours.size()),
-      coplanar_(coplanar) {
+      front_to_back_(around.neighbours.size()) {
     corners_by_hash_.fill(-1);
     set_half_side(around.eps_px);
     std::iota(front_to_back_.begin(), front_to_back_.end(), size_t(0));
@@ -431,7 +430,7 @@ bool AdmissibleSet<Number>::meet_at_the_centre(size_t occluder, size_t seen) {
 
 template <class Number>
 bool AdmissibleSet<Number>::are_coplanar(size_t a, size_t b) {
-    return coplanar_(around_.neighbours[a].of_scene(), around_.neighbours[b].of_scene());
+    return coplanar(around_.neighbours[a].p_world, around_.neighbours[b].p_world);
 }
 
 /// Some that cover the square, nearest first: most are covered by the first. Nothing where all leave some of

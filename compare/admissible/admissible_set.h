@@ -4,6 +4,7 @@
 #include <deque>
 #include <optional>
 
+#include "compare/admissible/coplanar.h"
 #include "compare/admissible/edge_on.h"
 #include "compare/admissible/neighbourhood.h"
 #include "compare/admissible/region.h"
@@ -34,7 +35,7 @@ template <class Number>
 class AdmissibleSet {
   public:
     /// The neighbourhood and the cache must outlive the set.
-    AdmissibleSet(const Neighbourhood& neighbourhood, CoplanarCache& coplanar);
+    AdmissibleSet(const Neighbourhood& neighbourhood);
 
     /// What its answers took so far, in cuts of a region by a half-plane.
     std::size_t work() const { return work_; }
@@ -165,7 +166,6 @@ class AdmissibleSet {
     std::vector<std::optional<NeighbourImage>> drawn_;
     std::vector<std::optional<std::vector<Piece>>> pieces_;  ///< in this square
     std::vector<size_t> front_to_back_;
-    CoplanarCache& coplanar_;
     /// Occluders that cover this square, all edges staying: of what is seen there, once they were found.
     struct Covering {
         std::optional<size_t> seen;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/admissible/coplanar.h"
+
 namespace zproof {
 
 namespace {
@@ -34,9 +36,8 @@ PixelOffset between(const PixelOffset& p, const PixelOffset& q, double t) {
 
 }  // namespace
 
-ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar)
+ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answer)
     : around_(around),
-      coplanar_(coplanar),
       error_scale_(2 * std::max(1.0, around.eps_px)),
       is_known_(std::isfinite(around.eps_px)),
       is_asked_(is_known_) {
@@ -169,7 +170,7 @@ bool ConservativeTest::hides_in(const Neighbour& n, double half_side_px) const {
     const Affine<double> ahead = n.image->inverse_depth - answer_->image->inverse_depth;
     const bool is_in_front =
         ahead.c - reach(ahead, half_side_px) > inverse_depth_error(n) + inverse_depth_error(*answer_);
-    return is_in_front || coplanar_(n.of_scene(), answer_->of_scene());
+    return is_in_front || coplanar(n.p_world, answer_->p_world);
 }
 
 bool ConservativeTest::is_seen_at_centre() const {

@@ -14,8 +14,8 @@ namespace {
 /// Is the answer seen in squares around the pixel? By the conservative test; polygons in double say the rest.
 class VisibleWithin {
   public:
-    VisibleWithin(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar)
-        : around_(around), answer_(answer), coplanar_(coplanar), test_(around, answer, coplanar) {}
+    VisibleWithin(const Neighbourhood& around, PrimitiveId answer)
+        : around_(around), answer_(answer), test_(around, answer) {}
 
     bool operator()(double half_side_px) {
         const ConservativeTest::Visibility seen = test_.seen_within(half_side_px);
@@ -27,7 +27,7 @@ class VisibleWithin {
     /// Does a triangle meet the whole square?
     bool reaches() {
         if (answer_ == PrimitiveId::none) return true;
-        if (!set_) set_.emplace(around_, coplanar_);
+        if (!set_) set_.emplace(around_);
         set_->set_half_side(around_.eps_px);
         return set_->reaches(*around_.index_of(answer_));
     }
@@ -36,7 +36,7 @@ class VisibleWithin {
 
   private:
     bool is_estimated(double half_side_px) {
-        if (!set_) set_.emplace(around_, coplanar_);
+        if (!set_) set_.emplace(around_);
         set_->set_half_side(half_side_px);
         if (answer_ == PrimitiveId::none) return set_->holds_background(set_->edge_rule());
         const std::optional<std::size_t> index = around_.index_of(answer_);
@@ -45,7 +45,6 @@ class VisibleWithin {
 
     const Neighbourhood& around_;
     PrimitiveId answer_;
-    CoplanarCache& coplanar_;
     ConservativeTest test_;
     std::optional<AdmissibleSet<double>> set_;
 };
@@ -72,8 +71,8 @@ std::optional<double> least_displacement(VisibleWithin& seen_within, double eps_
 
 }  // namespace
 
-LeastDisplacement displacement_of(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar) {
-    VisibleWithin seen_within(around, answer, coplanar);
+LeastDisplacement displacement_of(const Neighbourhood& around, PrimitiveId answer) {
+    VisibleWithin seen_within(around, answer);
     try {
         const std::optional<double> over_eps = least_displacement(seen_within, around.eps_px);
         return {over_eps, seen_within.work()};

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "compare/bounds/triangle_image.h"
+#include "math/rational.h"
 
 namespace zproof {
 

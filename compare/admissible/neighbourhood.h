@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "compare/admissible/coplanar.h"
 #include "compare/bounds/bounds.h"
 #include "compare/bounds/inverse_depth_range.h"
 #include "compare/bounds/pixel_coord.h"
@@ -37,8 +36,6 @@ struct Neighbour : TriangleLimits {
     double edge_error = 0, plane_error = 0;
     /// What a faultless renderer may hold for its inverse depth at the pixel, all bounds included.
     double least_inverse_depth = 0, greatest_inverse_depth = 0;
-
-    CoplanarCache::Triangle of_scene() const { return {triangle, p_world}; }
 };
 
 struct Neighbourhood {
