@@ -1,7 +1,6 @@
 #include "compare/admissible/admissible_set.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <iterator>
 #include <numeric>
@@ -55,7 +54,6 @@ AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around)
       drawn_(around.neighbours.size()),
       pieces_(around.neighbours.size()),
       front_to_back_(around.neighbours.size()) {
-    corners_by_hash_.fill(-1);
     set_half_side(around.eps_px);
     std::iota(front_to_back_.begin(), front_to_back_.end(), size_t(0));
     std::ranges::stable_sort(front_to_back_, std::greater<>{},
@@ -115,50 +113,36 @@ auto AdmissibleSet<Number>::reversed(LinePointer line) -> LinePointer {
 }
 
 template <class Number>
-int AdmissibleSet<Number>::corner_id(const glm::vec3& p_world) {
-    const auto mixed = [](float f) {
-        return std::bit_cast<std::uint32_t>(f + 0.0f) * 0x9E3779B1u;
-    };  // -0 is 0
-    const std::uint32_t hash =
-        mixed(p_world.x) ^ std::rotl(mixed(p_world.y), 11) ^ std::rotl(mixed(p_world.z), 22);
-    int& first = corners_by_hash_[hash >> 24];
-    for (int id = first; id >= 0; id = corners_[std::size_t(id)].next_of_hash)
-        if (corners_[std::size_t(id)].p_world == p_world) return id;
-    corners_.push_back({p_world, first});
-    return first = int(corners_.size()) - 1;
+int AdmissibleSet<Number>::corner_id(const glm::vec3& p) {
+    return corner_ids_.try_emplace({p.x, p.y, p.z}, int(corner_ids_.size())).first->second;
 }
 
 template <class Number>
 auto AdmissibleSet<Number>::edge_line(const Affine<Number>& f, const CornersWorld& p_world, size_t edge)
     -> LinePointer {
-    const auto [low, high] =
-        std::minmax({corner_id(p_world[(edge + 1) % 3]), corner_id(p_world[(edge + 2) % 3])});
-    const int id = edge_id(low, high);
-    return &lines_.emplace_back(Line<Number>{f, id, {low, high}, edges_[std::size_t(id)].locus});
-}
-
-template <class Number>
-int AdmissibleSet<Number>::edge_id(int low, int high) {
-    int& first = corners_[std::size_t(low)].first_edge;
-    for (int id = first; id >= 0; id = edges_[std::size_t(id)].next_of_end)
-        if (edges_[std::size_t(id)].ends[1] == high) return id;
-    edges_.push_back({{low, high}, locus_of({low, high}), first});
-    return first = int(edges_.size()) - 1;
+    const glm::vec3 &from = p_world[(edge + 1) % 3], &to = p_world[(edge + 2) % 3];
+    const int start = corner_id(from), end = corner_id(to);
+    const std::array<int, 2> ends{std::min(start, end), std::max(start, end)};
+    const auto [known, is_new] = edge_ids_.try_emplace(ends, int(edges_.size()));
+    if (is_new) {
+        const Slope slope = slope_of(from, to);
+        edges_.push_back({{from, to}, slope, locus_of(from, to, slope)});
+    }
+    const int id = known->second;
+    return &lines_.emplace_back(Line<Number>{f, id, ends, edges_[std::size_t(id)].locus});
 }
 
 /// The locus of an edge that is not among the others yet. The estimates in double are left as they are.
 template <class Number>
-int AdmissibleSet<Number>::locus_of(const std::array<int, 2>& ends) {
+int AdmissibleSet<Number>::locus_of(const glm::vec3& from_world, const glm::vec3& to_world,
+                                    const Slope& slope) {
     if constexpr (std::is_same_v<Number, double>) return -1;
-    const auto place = [&](int corner) { return corners_[std::size_t(corner)].p_world; };
-    slopes_.push_back(slope_of(place(ends[0]), place(ends[1])));
-    const auto along = [&](const MeshEdge& other) {
-        if (are_turned(slopes_[std::size_t(&other - edges_.data())], slopes_.back())) return false;
-        return collinear(place(other.ends[0]), place(other.ends[1]), place(ends[0])) &&
-               collinear(place(other.ends[0]), place(other.ends[1]), place(ends[1]));
-    };
     spend(edges_.size() / 128);  // a comparison costs a small part of a cut
-    const auto found = std::ranges::find_if(edges_, along);
+    const auto found = std::ranges::find_if(edges_, [&](const MeshEdge& other) {
+        const auto& [start, end] = other.ends_world;
+        return !are_turned(other.slope, slope) && collinear(start, end, from_world) &&
+               collinear(start, end, to_world);
+    });
     return found == edges_.end() ? int(edges_.size()) : found->locus;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <optional>
 
 #include "compare/admissible/coplanar.h"
@@ -93,8 +94,7 @@ class AdmissibleSet {
     LinePointer reversed(LinePointer line);
     LinePointer edge_line(const Affine<Number>& f, const CornersWorld& p_world, size_t edge);
     int corner_id(const glm::vec3& p_world);
-    int edge_id(int low, int high);
-    int locus_of(const std::array<int, 2>& ends);
+    int locus_of(const glm::vec3& from_world, const glm::vec3& to_world, const Slope& slope);
     NeighbourImage draw(const Neighbour& neighbour);
     Region<Number> square();
     std::array<LinePointer, 4> sides_of_square(double half_side_px);
@@ -149,20 +149,14 @@ class AdmissibleSet {
     ViewRay<Number> ray_;
     std::deque<Line<Number>> lines_;  ///< regions point at lines: all live as long as the set
     std::array<LinePointer, 4> sides_{};
-    struct CornerOfMesh {
-        glm::vec3 p_world;
-        int next_of_hash;     ///< id of another, or -1
-        int first_edge = -1;  ///< id of one of which it is the first end, or -1
-    };
-    std::vector<CornerOfMesh> corners_;
-    std::array<int, 256> corners_by_hash_{};
+    std::map<std::array<float, 3>, int> corner_ids_;
+    std::map<std::array<int, 2>, int> edge_ids_;  ///< by the ids of their ends, ascending
     struct MeshEdge {
-        std::array<int, 2> ends;  ///< ids of corners, ascending
+        std::array<glm::vec3, 2> ends_world;
+        Slope slope;
         int locus;
-        int next_of_end;  ///< id of another with the same first end, or -1
     };
     std::vector<MeshEdge> edges_;  ///< by id
-    std::vector<Slope> slopes_;    ///< of the edges
     std::vector<std::optional<NeighbourImage>> drawn_;
     std::vector<std::optional<std::vector<Piece>>> pieces_;  ///< in this square
     std::vector<size_t> front_to_back_;

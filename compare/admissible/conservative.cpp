@@ -22,12 +22,12 @@ struct PlaneLimits {
 };
 PlaneLimits limits_of(const Camera& c, const Neighbour& n) {
     const bool perspective = c.projection == Projection::perspective;
-    const auto inverse_depth = [&](double depth) { return perspective ? 1 / depth : -depth; };
     const double near = c.near_depth + n.near_slack, far = c.far_depth - n.far_slack;
     const bool is_none_left = far <= (perspective ? 0 : -unlimited);
-    return {std::isinf(near) ? -unlimited : inverse_depth(near), is_none_left      ? unlimited
-                                                                 : std::isinf(far) ? -unlimited
-                                                                                   : inverse_depth(far)};
+    return {std::isinf(near) ? -unlimited : inverse_depth_of(near, c.projection),
+            is_none_left      ? unlimited
+            : std::isinf(far) ? -unlimited
+                              : inverse_depth_of(far, c.projection)};
 }
 
 PixelOffset between(const PixelOffset& p, const PixelOffset& q, double t) {
@@ -180,11 +180,9 @@ bool ConservativeTest::is_seen_at_centre() const {
 /// Does it lie between near and far, where they are, at the centre?
 bool ConservativeTest::lies_between_planes(const Neighbour& n) const {
     const Camera& c = around_.view.camera;
-    const bool perspective = c.projection == Projection::perspective;
-    const auto inverse_depth = [&](double depth) { return perspective ? 1 / depth : -depth; };
     const double error = inverse_depth_error(n);
-    return n.is_trusted && n.image->inverse_depth.c + error < inverse_depth(c.near_depth) &&
-           n.image->inverse_depth.c - error > inverse_depth(c.far_depth);
+    return n.is_trusted && n.image->inverse_depth.c + error < inverse_depth_of(c.near_depth, c.projection) &&
+           n.image->inverse_depth.c - error > inverse_depth_of(c.far_depth, c.projection);
 }
 
 auto ConservativeTest::finding() const -> Finding {
@@ -206,21 +204,6 @@ auto ConservativeTest::seen_within(double half_side_px) const -> Visibility {
     // rounding may show it in the whole square all the same
     if (answer_ && half_side_px < around_.eps_px && misses(*answer_, half_side_px)) return Visibility::no;
     return Visibility::undecided;
-}
-
-double ConservativeTest::likely_displacement_px() const {
-    const auto beyond = [](const Affine<double>& e) { return e.c / (std::abs(e.a) + std::abs(e.b)); };
-    double likely_px = 0;
-    if (answer_ && answer_->image)
-        for (const Affine<double>& e : answer_->image->edge) likely_px = std::max(likely_px, -beyond(e));
-    for (const Neighbour* n : others_) {
-        if (!n->image) continue;
-        if (answer_ && answer_->image && n->image->inverse_depth.c < answer_->image->inverse_depth.c)
-            continue;
-        const auto& edge = n->image->edge;
-        likely_px = std::max(likely_px, std::min({beyond(edge[0]), beyond(edge[1]), beyond(edge[2])}));
-    }
-    return likely_px;
 }
 
 /// The part of the answer in the square, clipped edge by edge; inexact by rounding.

@@ -32,10 +32,6 @@ class ConservativeTest {
     /// background, holds_background() say?
     Visibility seen_within(double half_side_px) const;
 
-    /// The half-side at which a corner of the square reaches the answer's triangle, and no triangle that
-    /// holds the centre in front of it. An estimate.
-    double likely_displacement_px() const;
-
   private:
     /// What a triangle has of a square: a convex polygon.
     struct Part {

@@ -31,7 +31,6 @@ class VisibleWithin {
         set_->set_half_side(around_.eps_px);
         return set_->reaches(*around_.index_of(answer_));
     }
-    double likely_px() const { return test_.likely_displacement_px(); }
     std::size_t work() const { return set_ ? set_->work() : 0; }
 
   private:
@@ -49,20 +48,14 @@ class VisibleWithin {
     std::optional<AdmissibleSet<double>> set_;
 };
 
-/// What is seen in a square is seen in every larger one: by ever larger strides from the likely half-side,
-/// and then by bisection.
+/// What is seen in a square is seen in every larger one: by bisection.
 std::optional<double> least_displacement(VisibleWithin& seen_within, double eps_px) {
     const auto is_seen = [&](int step) { return seen_within(eps_px * step / displacement_steps); };
     if (is_seen(1)) return std::nullopt;
-    int too_small = 1, enough = displacement_steps, stride = 1;
-    const double likely_step = seen_within.likely_px() / eps_px * displacement_steps;
-    int step = int(std::min(std::max(too_small + 1.0, std::ceil(likely_step)), enough - 1.0));  // of NaN, too
+    int too_small = 1, enough = displacement_steps;
     while (enough - too_small > 1) {
-        const bool seen = is_seen(step);
-        (seen ? enough : too_small) = step;
-        step += seen ? -stride : stride;
-        stride *= 2;
-        if (step <= too_small || step >= enough) step = (too_small + enough) / 2;
+        const int step = (too_small + enough) / 2;
+        (is_seen(step) ? enough : too_small) = step;
     }
     if (enough == displacement_steps && !seen_within.reaches())
         return std::nullopt;  // shown by rounding alone

@@ -79,7 +79,7 @@ InverseDepthRange ViewBounds::compared_before_steps(double depth) const {
     const auto* ray = std::get_if<RayBounds>(&of_kind_);
     if (!(raster() && raster()->shows_what_it_compares()) && !(ray && ray->has_depth_of_distance()))
         return {-unlimited, unlimited};
-    const double here = facts_.perspective ? 1 / depth : -depth,
+    const double here = inverse_depth_of(depth, projection()),
                  error = std::abs(here) * gamma(2, unit_roundoff_float32) +
                          (raster() ? raster()->decoding_error(facts_) : 0);
     return facts_.perspective && !(depth > 0) ? InverseDepthRange{-unlimited, unlimited}

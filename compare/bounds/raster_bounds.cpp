@@ -163,7 +163,7 @@ TriangleBounds RasterBounds::of(const ViewFacts& facts, const TriangleExtent& ex
     bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gammas[8] * extent.size.largest_depth();
     if (has_plain_depth() && has_plain_coverage()) return bounds;
     const std::vector<WindowCorner> polygon =
-        window_polygon(facts.view, extent, precision_.clipping, z_range(facts.view.camera, precision_));
+        window_polygon(facts, extent, precision_.clipping, z_range(facts.view.camera, precision_));
     if (!has_plain_depth()) set_z(bounds, facts, extent, polygon, transform);
     if (!has_plain_coverage()) add_coverage(bounds, facts, extent, polygon);
     if (is_homogeneous()) add_homogeneous(bounds, facts, extent, transform);
