@@ -84,14 +84,9 @@ bool share_an_edge(const Neighbour& a, const Neighbour& b) {
 
 Decision decide(const Neighbourhood& around, PrimitiveId answer) {
     const double eps_px = around.eps_px;
-    switch (ConservativeTest(around, answer).finding()) {
-        case ConservativeTest::Finding::visible:
-            return {Admissibility::visible, false, eps_px};
-        case ConservativeTest::Finding::tied:
-            return {Admissibility::tied, false, eps_px};
-        case ConservativeTest::Finding::undecided:
-            break;
-    }
+    const ConservativeTest::Finding certain = ConservativeTest(around, answer).finding();
+    if (certain == ConservativeTest::Finding::visible) return {Admissibility::visible, false, eps_px};
+    if (certain == ConservativeTest::Finding::tied) return {Admissibility::tied, false, eps_px};
     const auto [found, exact, work] =
         ask_set<Admissibility>(around, [&](auto& set) { return admissibility_in(set, around, answer); });
     return {found.value_or(Admissibility::undecidable), exact, eps_px, work};

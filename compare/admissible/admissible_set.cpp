@@ -113,14 +113,12 @@ auto AdmissibleSet<Number>::reversed(LinePointer line) -> LinePointer {
 }
 
 template <class Number>
-int AdmissibleSet<Number>::corner_id(const glm::vec3& p) {
-    return corner_ids_.try_emplace({p.x, p.y, p.z}, int(corner_ids_.size())).first->second;
-}
-
-template <class Number>
 auto AdmissibleSet<Number>::edge_line(const Affine<Number>& f, const CornersWorld& p_world, size_t edge)
     -> LinePointer {
     const glm::vec3 &from = p_world[(edge + 1) % 3], &to = p_world[(edge + 2) % 3];
+    const auto corner_id = [&](const glm::vec3& p) {
+        return corner_ids_.try_emplace({p.x, p.y, p.z}, int(corner_ids_.size())).first->second;
+    };
     const int start = corner_id(from), end = corner_id(to);
     const std::array<int, 2> ends{std::min(start, end), std::max(start, end)};
     const auto [known, is_new] = edge_ids_.try_emplace(ends, int(edges_.size()));
@@ -353,7 +351,7 @@ bool AdmissibleSet<Number>::is_in_front(size_t occluder, size_t seen, DepthRule 
     if (rule == DepthRule::bounded || front.greatest_inverse_depth < back.least_inverse_depth) return false;
     if (!drawn(seen).image || !drawn(occluder).image) return false;
     if (stands_apart(occluder, seen)) return false;  // and so hides none of it: their depths may be equal
-    if (meet_at_the_centre(occluder, seen) || are_coplanar(occluder, seen)) return true;
+    if (meet_at_the_centre(occluder, seen) || coplanar(front.p_world, back.p_world)) return true;
     return sign(drawn(occluder).image->inverse_depth.c - drawn(seen).image->inverse_depth.c) >= 0;
 }
 
@@ -410,11 +408,6 @@ bool AdmissibleSet<Number>::meet_at_the_centre(size_t occluder, size_t seen) {
         ends = edge->ends;
     }
     return false;
-}
-
-template <class Number>
-bool AdmissibleSet<Number>::are_coplanar(size_t a, size_t b) {
-    return coplanar(around_.neighbours[a].p_world, around_.neighbours[b].p_world);
 }
 
 /// Some that cover the square, nearest first: most are covered by the first. Nothing where all leave some of
@@ -536,7 +529,8 @@ std::optional<HalfPlanes<Number>> AdmissibleSet<Number>::true_cover(size_t occlu
     HalfPlanes<Number> half_planes(drawn(occluder).edge.begin(), drawn(occluder).edge.end());
     push_planes(half_planes, occluder);
     const bool certain = front.least_inverse_depth - slope > back.greatest_inverse_depth;
-    if (!certain && !are_coplanar(occluder, seen.index)) half_planes.push_back(nearer_side(occluder, seen));
+    if (!certain && !coplanar(front.p_world, back.p_world))
+        half_planes.push_back(nearer_side(occluder, seen));
     return half_planes;
 }
 

@@ -93,7 +93,6 @@ class AdmissibleSet {
     /// The other side of the same line.
     LinePointer reversed(LinePointer line);
     LinePointer edge_line(const Affine<Number>& f, const CornersWorld& p_world, size_t edge);
-    int corner_id(const glm::vec3& p_world);
     int locus_of(const glm::vec3& from_world, const glm::vec3& to_world, const Slope& slope);
     NeighbourImage draw(const Neighbour& neighbour);
     Region<Number> square();
@@ -122,7 +121,6 @@ class AdmissibleSet {
     LinePointer moved_inwards(LinePointer edge);
     bool stands_apart(size_t occluder, size_t seen);
     bool meet_at_the_centre(size_t occluder, size_t seen);
-    bool are_coplanar(size_t a, size_t b);
 
     bool is_in_front(size_t occluder, size_t seen, DepthRule rule);
     void push_planes(HalfPlanes<Number>& half_planes, size_t occluder);

@@ -30,10 +30,6 @@ PlaneLimits limits_of(const Camera& c, const Neighbour& n) {
                               : inverse_depth_of(far, c.projection)};
 }
 
-PixelOffset between(const PixelOffset& p, const PixelOffset& q, double t) {
-    return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
-}
-
 }  // namespace
 
 ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answer)
@@ -217,9 +213,9 @@ auto ConservativeTest::part_in(double half_side_px) const -> Part {
         };
         for (std::size_t k = 0; k < part.count; ++k) {
             const PixelOffset &p = part.corner[k], &q = part.corner[(k + 1) % part.count];
-            const double at_p = value_at(e, p), at_q = value_at(e, q);
+            const double at_p = value_at(e, p), at_q = value_at(e, q), t = at_p / (at_p - at_q);
             if (at_p >= 0) keep(p);
-            if ((at_p >= 0) != (at_q >= 0)) keep(between(p, q, at_p / (at_p - at_q)));
+            if ((at_p >= 0) != (at_q >= 0)) keep({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
         }
         part = kept;
     }

@@ -26,20 +26,21 @@ class VisibleWithin {
     }
     /// Does a triangle meet the whole square?
     bool reaches() {
-        if (answer_ == PrimitiveId::none) return true;
-        if (!set_) set_.emplace(around_);
-        set_->set_half_side(around_.eps_px);
-        return set_->reaches(*around_.index_of(answer_));
+        return answer_ == PrimitiveId::none || set_of(around_.eps_px).reaches(*around_.index_of(answer_));
     }
     std::size_t work() const { return set_ ? set_->work() : 0; }
 
   private:
     bool is_estimated(double half_side_px) {
+        AdmissibleSet<double>& set = set_of(half_side_px);
+        if (answer_ == PrimitiveId::none) return set.holds_background(set.edge_rule());
+        const std::optional<std::size_t> index = around_.index_of(answer_);
+        return index && set.is_seen(*index);
+    }
+    AdmissibleSet<double>& set_of(double half_side_px) {
         if (!set_) set_.emplace(around_);
         set_->set_half_side(half_side_px);
-        if (answer_ == PrimitiveId::none) return set_->holds_background(set_->edge_rule());
-        const std::optional<std::size_t> index = around_.index_of(answer_);
-        return index && set_->is_seen(*index);
+        return *set_;
     }
 
     const Neighbourhood& around_;

@@ -18,10 +18,6 @@ auto TrueVisibility::range_of(const Affine<double>& f, double error) const -> Ra
     return {value - error_scale_ * error, value + error_scale_ * error};
 }
 
-auto TrueVisibility::edge_of(const Neighbour& n, std::size_t edge) const -> Range {
-    return range_of(n.edges[edge], n.edge_error);
-}
-
 /// The plane must be known.
 auto TrueVisibility::plane_of(const Neighbour& n) const -> Range {
     return range_of(n.image->inverse_depth, n.plane_error);
@@ -30,8 +26,8 @@ auto TrueVisibility::plane_of(const Neighbour& n) const -> Range {
 bool TrueVisibility::is_answer_there() const {
     if (!answer_) return true;
     if (!answer_->is_trusted) return false;
-    for (std::size_t edge = 0; edge < 3; ++edge)
-        if (!(edge_of(*answer_, edge).least > 0)) return false;
+    for (const Affine<double>& edge : answer_->edges)
+        if (!(range_of(edge, answer_->edge_error).least > 0)) return false;
     const Range depth = plane_of(*answer_);
     return depth.most < near_ && depth.least > far_;
 }
@@ -39,8 +35,8 @@ bool TrueVisibility::is_answer_there() const {
 /// Where the sign of a triangle's edges is not certain, edges of both signs must say that it is outside.
 bool TrueVisibility::is_outside(const Neighbour& n) const {
     bool is_any_below = false, is_any_above = false;
-    for (std::size_t edge = 0; edge < 3; ++edge) {
-        const Range range = edge_of(n, edge);
+    for (const Affine<double>& edge : n.edges) {
+        const Range range = range_of(edge, n.edge_error);
         is_any_below |= range.most < 0;
         is_any_above |= range.least > 0;
     }

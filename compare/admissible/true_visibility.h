@@ -24,15 +24,13 @@ class TrueVisibility {
         double least, most;
     };
     Range range_of(const Affine<double>& f, double error) const;
-    Range edge_of(const Neighbour& n, std::size_t edge) const;
     Range plane_of(const Neighbour& n) const;
     bool is_outside(const Neighbour& n) const;
 
     PixelOffset centre_;  ///< from the view ray
     const Neighbour* answer_;
-    double near_, far_;  ///< inverse depths
-    double
-        error_scale_;  ///< Neighbour has errors within a pixel of its centre; twice pays for the evaluation
+    double near_, far_;   ///< inverse depths
+    double error_scale_;  ///< of errors within a pixel of the view ray; twice pays for the evaluation
 };
 
 }  // namespace zproof
