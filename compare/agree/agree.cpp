@@ -31,7 +31,7 @@ struct Run {
 /// What one frame shows in a row, and whose bounds its depths are held against.
 struct Look {
     std::span<const PrimitiveId> ids;
-    std::span<const float> depths;
+    const std::vector<float>& depths;
     const std::vector<Run>& runs;
     TriangleDepth Depths::*bounds;
 };
@@ -45,21 +45,25 @@ class BandScan {
           is_unproven_(is_unproven),
           maps_(maps),
           found_(found),
-          first_pixel_(frames.view, 0, 0),
-          depths_(std::size_t(frames.view.width) + errors_together) {
+          first_pixel_(frames.view, 0, 0) {
+        const std::size_t padded = std::size_t(frames.view.width) + errors_together;
+        for (auto* depths : {&candidate_depths_, &reference_depths_}) depths->resize(padded);
         for (auto* errors : {&candidate_errors_, &reference_errors_, &theirs_by_ours_})
-            errors->resize(depths_.size());
+            errors->resize(padded);
     }
 
     void scan(int y) {
         const Frame &ours = frames_.candidate.frame, &theirs = frames_.reference.frame;
-        const std::vector<Run> our_runs = runs_in(ours.primitive.row(y)),
-                               their_runs = runs_in(theirs.primitive.row(y));
-        const Look candidate{ours.primitive.row(y), ours.camera_depth.row(y), our_runs, &Depths::candidate},
-            reference{theirs.primitive.row(y), theirs.camera_depth.row(y), their_runs, &Depths::reference};
-        find_errors(candidate, y, candidate_errors_);
+        const auto our_ids = ours.primitive.row(y), their_ids = theirs.primitive.row(y);
+        const std::vector<Run> our_runs = runs_in(our_ids),
+                               their_runs =
+                                   std::ranges::equal(our_ids, their_ids) ? our_runs : runs_in(their_ids);
+        std::ranges::copy(ours.camera_depth.row(y), candidate_depths_.begin());
+        std::ranges::copy(theirs.camera_depth.row(y), reference_depths_.begin());
+        const Look candidate{our_ids, candidate_depths_, our_runs, &Depths::candidate},
+            reference{their_ids, reference_depths_, their_runs, &Depths::reference};
+        find_errors(candidate, y, candidate_errors_, reference_depths_.data(), theirs_by_ours_.data());
         find_errors(reference, y, reference_errors_);
-        find_errors({reference.ids, reference.depths, their_runs, &Depths::candidate}, y, theirs_by_ours_);
         for (const Run& run : their_runs)
             for (std::size_t x = run.first; x < run.end; ++x) record(candidate, reference, run, {int(x), y});
         if (!maps_) return;
@@ -80,25 +84,28 @@ class BandScan {
     }
 
     const Depths& depths_of(PrimitiveId id) {
-        const auto found = of_triangle_.find(id);
-        if (found != of_triangle_.end()) return found->second;
-        const TriangleInView triangle(first_pixel_, frames_.candidate.bounds,
-                                      corners_of(frames_.scene, std::uint32_t(id)));
-        const Depths depths{TriangleDepth(triangle, frames_.candidate.shown_bounds),
-                            TriangleDepth(triangle, frames_.reference.shown_bounds)};
-        return of_triangle_.emplace(id, depths).first->second;
+        const auto [found, is_new] = of_triangle_.try_emplace(id);
+        if (is_new) {
+            const TriangleInView triangle(first_pixel_, frames_.candidate.bounds,
+                                          corners_of(frames_.scene, std::uint32_t(id)));
+            found->second = {TriangleDepth(triangle, frames_.candidate.shown_bounds),
+                             TriangleDepth(triangle, frames_.reference.shown_bounds)};
+        }
+        return found->second;
     }
 
-    /// Error / bound of each depth; a background that is none and what is no triangle are undecided.
-    void find_errors(const Look& look, int y, std::vector<double>& errors) {
-        std::ranges::copy(look.depths, depths_.begin());
+    /// Error / bound of each depth; a background that is none and what is no triangle are undecided. Other
+    /// depths, if any, are held against the same triangles' bounds.
+    static void find_errors(const Look& look, int y, std::vector<double>& errors,
+                            const float* other_depths = nullptr, double* other_errors = nullptr) {
         for (const auto& [first, end, depths] : look.runs)
             if (depths)
-                find_depth_errors(depths->*look.bounds, int(first), y, end - first, &depths_[first],
-                                  &errors[first]);
+                find_depth_errors(depths->*look.bounds, int(first), y, end - first, &look.depths[first],
+                                  &errors[first], other_depths ? other_depths + first : nullptr,
+                                  other_errors ? other_errors + first : nullptr);
             else
                 for (std::size_t x = first; x < end; ++x)
-                    errors[x] = look.ids[x] == PrimitiveId::none && depths_[x] == background_depth
+                    errors[x] = look.ids[x] == PrimitiveId::none && look.depths[x] == background_depth
                                     ? 0
                                     : undecided_error;
     }
@@ -141,9 +148,10 @@ class BandScan {
     ViewRay<double> first_pixel_;
     std::unordered_map<PrimitiveId, Depths> of_triangle_;
     /// Of one row; runs are read and written beyond their ends, from left to right.
-    std::vector<float> depths_;
+    std::vector<float> candidate_depths_, reference_depths_;
     std::vector<double> candidate_errors_, reference_errors_;
-    std::vector<double> theirs_by_ours_;  ///< the reference's depths by the candidate's bounds
+    std::vector<double>
+        theirs_by_ours_;  ///< the reference's depths by the candidate's bounds, where both show the same
 };
 
 }  // namespace

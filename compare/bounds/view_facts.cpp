@@ -43,8 +43,9 @@ ViewFacts::ViewFacts(const View& of_view)
 TriangleExtent ViewFacts::extent_of(const CornersWorld& p_world) const {
     const Camera& c = view.camera;
     const glm::dvec3 eye(c.eye_world);
+    const glm::dvec3 eye_abs = abs(eye), right_abs = abs(c.right), up_abs = abs(c.up), back_abs = abs(c.back);
     const auto along_axes = [&](const glm::dvec3& v) {
-        return glm::dvec3(dot(abs(c.right), v), dot(abs(c.up), v), dot(abs(c.back), v));
+        return glm::dvec3(dot(right_abs, v), dot(up_abs, v), dot(back_abs, v));
     };
     TriangleExtent extent;
     TriangleSize& size = extent.size;
@@ -53,7 +54,7 @@ TriangleExtent ViewFacts::extent_of(const CornersWorld& p_world) const {
         extent.v_world[i] = v;
         size.depth[i] = -dot(c.back, v);
         size.from_eye = max(size.from_eye, along_axes(abs(v) + origin_abs));
-        size.from_origin = max(size.from_origin, along_axes(abs(p) + abs(eye)));
+        size.from_origin = max(size.from_origin, along_axes(abs(p) + eye_abs));
     }
     size.plane = plane_size(extent.v_world[0], p_world);
     return extent;
