@@ -56,7 +56,7 @@ ClipPolygon after_clipping(const ViewFacts& facts, const TriangleExtent& extent,
     return inside_window(c, polygon, clipping == Clipping::guard_band ? guard_band_of(facts.view) : c.window);
 }
 
-double sum_abs(const glm::dvec2& v) { return std::abs(v.x) + std::abs(v.y); }
+double length_px(const glm::dvec2& v) { return std::abs(v.x) + std::abs(v.y); }
 
 /// All triangles of three corners.
 template <class Act>
@@ -84,9 +84,9 @@ class PlaneEquation {
 
     PlaneEquationBounds bounds(const View& view) const {
         const double drift = shift_.drift_px;
-        const double around = sum_abs(e1_) + sum_abs(e2_) + sum_abs({e1_.x + e2_.x, e1_.y + e2_.y});
+        const double around = length_px(e1_) + length_px(e2_) + length_px({e1_.x + e2_.x, e1_.y + e2_.y});
         const double area = std::abs(e1_.x * e2_.y - e1_.y * e2_.x) -
-                            2 * drift * (sum_abs(e1_) + sum_abs(e2_)) - 8 * drift * drift;
+                            2 * drift * (length_px(e1_) + length_px(e2_)) - 8 * drift * drift;
         if (!(area > 0)) return unknown;
         const glm::dvec2 a1 = widen(e1_), a2 = widen(e2_);
         const double of_area = gamma(4, u_float32) * (a1.x * a2.y + a1.y * a2.x) / area;
@@ -152,7 +152,7 @@ class WeightErrors {
         }
         const auto& [p, q, r] = corners;
         const double ahead = (p.x - q.x) * (r.y - p.y), across = (p.y - q.y) * (r.x - p.x);
-        const double moved = 2 * drift_ * (sum_abs(edge_[0]) + sum_abs(edge_[2])) + 8 * drift_ * drift_;
+        const double moved = 2 * drift_ * (length_px(edge_[0]) + length_px(edge_[2])) + 8 * drift_ * drift_;
         least_area_ = form.may_vanish ? 0 : std::abs(ahead - across) - moved;
         largest_area_ = std::abs(ahead - across) + moved;
         if (!form.is_rounded()) return;
@@ -175,7 +175,7 @@ class WeightErrors {
     double edges_px() const {
         double largest = 0;
         for (std::size_t i = 0; i < 3; ++i) {
-            const double own = has_coefficients() ? of_edge_[i] : 0, slope = sum_abs(edge_[i]) - 4 * drift_;
+            const double own = has_coefficients() ? of_edge_[i] : 0, slope = length_px(edge_[i]) - 4 * drift_;
             // the third weight's error is a share of the height; beyond the edge, the others err by more
             const double others = of_two_weights(of_edge_[(i + 1) % 3] + of_edge_[(i + 2) % 3]);
             const double error =
