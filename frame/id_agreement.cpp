@@ -18,6 +18,9 @@ IdAgreement count_id_agreement(std::span<const Frame* const> frames) {
             counted.same[i][j] = counted.same[j][i] = std::transform_reduce(
                 a.begin(), a.end(), b.begin(), std::uint64_t{0}, std::plus{}, std::equal_to{});
         }
+    counted.unanimous = counted.same.front().back();
+    if (frames.size() <= 2) return counted;
+    counted.unanimous = 0;
     const auto first = frames.front()->primitive.pixels();
     for (std::size_t pixel = 0; pixel < first.size(); ++pixel)
         counted.unanimous += std::ranges::all_of(

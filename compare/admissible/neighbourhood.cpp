@@ -53,6 +53,13 @@ ProductErrors product_errors(const ViewRay<double>& ray, const Corners<double>& 
     return {square * (ray_size.direction + steps), square * (is_parallel ? ray_size.direction : from_eye)};
 }
 
+/// What image_of() takes the orientation from, in absolute value.
+double orientation_of(const ViewRay<double>& ray, const Corners<double>& p) {
+    const Vector3<double> v0 = p[0] - ray.origin, v1 = p[1] - ray.origin, v2 = p[2] - ray.origin;
+    const Vector3<double> normal = cross(v1 - v0, v2 - v0);
+    return std::abs(dot(normal, ray.projection == Projection::perspective ? v0 : ray.direction));
+}
+
 }  // namespace
 
 bool comes_within(const TriangleImage<double>& image, double eps_px) {
@@ -78,8 +85,7 @@ Neighbour seen_at(const ViewRay<double>& ray, const BoundedTriangle& triangle) {
     n.gradient = steepness(n.image->inverse_depth);
     n.plane_error = triangle.plane_error.at(std::abs(n.image->inverse_depth.c) + n.gradient);
     n.is_plane_known = std::isfinite(n.plane_error);
-    n.is_trusted =
-        n.is_plane_known && std::abs(scaled_inverse_depth(ray, p_world).divisor) > errors.orientation;
+    n.is_trusted = n.is_plane_known && orientation_of(ray, p_world) > errors.orientation;
     return n;
 }
 
