@@ -10,7 +10,6 @@
 #include "compare/adjudicate/pixel_check.h"
 #include "compare/adjudicate/unproven_pixels.h"
 #include "compare/agree/agree.h"
-#include "compare/agree/row_counts.h"
 #include "compare/attributes/attribute_check.h"
 
 namespace zproof {

@@ -22,6 +22,10 @@ struct BoundRecord {
     bool operator==(const BoundRecord&) const = default;
 };
 
+/// Counts one more error.
+void count(BoundRecord& record, double error_over_bound);
+void add(BoundRecord& sum, const BoundRecord& part);
+
 /// |depth - truth| / bound of each frame's own ids; NaN where that asks nothing: background, an id that does
 /// not exist, a depth that is NaN. In double, so at 1 only the judge's word counts.
 struct ErrorMaps {

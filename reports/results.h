@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "compare/diagnosis/diagnosis.h"
-#include "compare/id_agreement.h"
 #include "compare/picture_difference.h"
 #include "compare/verdict.h"
 #include "compare/waivers/coverage.h"
+#include "frame/id_agreement.h"
 
 namespace zproof {
 

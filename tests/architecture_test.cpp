@@ -340,13 +340,13 @@ TEST(HousePlan, APlantedIncludeInTheJudgesRoomsIsNamed) {
     EXPECT_EQ(faults("compare/diagnosis/a.h", judge), 0u);
     EXPECT_EQ(faults("compare/adjudicate/a.h", judge), 1u);
     EXPECT_EQ(faults("compare/admissible/a.h", "compare/pixel_class.h"), 0u);
-    EXPECT_EQ(faults("compare/waivers/a.h", "compare/id_agreement.h"), 1u);
+    EXPECT_EQ(faults("compare/waivers/a.h", "compare/picture_difference.h"), 1u);
     EXPECT_EQ(faults("compare/judge.cpp", adjudicator), 0u);
     EXPECT_EQ(faults("compare/judge.h", adjudicator), 1u);
     EXPECT_EQ(faults("compare/finding.h", "compare/bounds/depth_bound.h"), 0u);
     EXPECT_EQ(faults("compare/finding.h", adjudicator), 1u);
     EXPECT_EQ(faults("compare/picture_difference.cpp", "compare/bounds/bounds.h"), 1u);
-    EXPECT_EQ(faults("compare/picture_difference.cpp", "compare/id_agreement.h"), 0u);
+    EXPECT_EQ(faults("compare/picture_difference.cpp", "compare/verdict.h"), 0u);
 }
 
 TEST(HousePlan, UnitsOfTheJudgeStandInNoCycle) {

@@ -88,8 +88,6 @@ std::optional<CornerHull> TriangleSearch::hull_of(std::uint32_t triangle) const 
     return CornerHull(corners);
 }
 
-Box TriangleSearch::box_of(std::uint32_t triangle) const { return boxes_of(triangle).all; }
-
 ImageBoxes TriangleSearch::boxes_of(std::uint32_t triangle) const {
     const glm::uvec3& t = scene_.triangles[triangle];
     Box box = box_of_vertex(t.x);
@@ -104,14 +102,7 @@ ImageBoxes TriangleSearch::boxes_of(std::uint32_t triangle) const {
 template <class Visit>
 void TriangleSearch::for_each_tile_met(std::uint32_t triangle, std::span<const Box> asked, double reach_px,
                                        const Visit& visit) const {
-    const glm::uvec3& t = scene_.triangles[triangle];
-    const VertexBox &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
-    const VertexBox of_corners{std::min({a.left, b.left, c.left}), std::min({a.top, b.top, c.top}),
-                               std::max({a.right, b.right, c.right}),
-                               std::max({a.bottom, b.bottom, c.bottom})};
-    const Box box = std::isfinite(of_corners.left)
-                        ? Box{of_corners.left, of_corners.top, of_corners.right, of_corners.bottom}
-                        : box_of(triangle);
+    const Box box = box_of(triangle);
     if (box.is_empty()) return;
     const int left = clamped(box.left - reach_px, tiles_.columns),
               right = clamped(box.right + reach_px, tiles_.columns);

@@ -51,7 +51,7 @@ class TriangleSearch {
     /// scene.
     TrianglesByTile find(std::span<const Box> asked) const;
     /// The box around a triangle's image; empty where there is none.
-    Box box_of(std::uint32_t triangle) const;
+    Box box_of(std::uint32_t triangle) const { return boxes_of(triangle).all; }
     ImageBoxes boxes_of(std::uint32_t triangle) const;
 
   private:
@@ -77,8 +77,7 @@ class TriangleSearch {
     BoxProjection projection_;
     Tiles tiles_;
     Bulk<VertexBox> vertices_;
-    std::vector<NearTriangle>
-        near_;  ///< those with a corner of unlimited box, ascending; only what has an image
+    std::vector<NearTriangle> near_;  ///< with an image and a corner of unlimited box; ascending
 };
 
 /// Fills site.triangles of all sites, in any order: see TriangleSearch::find().

@@ -118,7 +118,7 @@ class CoarseOutline {
             perspective ? compounded(local.depth_relative + local.depth_absolute * largest) * largest
                         : local.depth_relative * largest + local.depth_absolute;
         Affine<double> f = in_view_.inverse_depth;
-        f.c = f.c - (perspective ? 1 / depth : -depth);
+        f.c = f.c - inverse_depth_of(depth, view_.camera.projection);
         mark_band(f, of_depth + local.inverse_depth_error + in_view_.gradient * eps_px_ + in_view_.own_error,
                   pixels);
     }

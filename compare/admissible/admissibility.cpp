@@ -39,25 +39,37 @@ Admissibility of_triangle(AdmissibleSet<Number>& set, size_t index, size_t count
 template <class Number>
 Admissibility admissibility_in(AdmissibleSet<Number>& set, const Neighbourhood& around, PrimitiveId answer) {
     const size_t count = around.neighbours.size();
-    try {
-        if (answer == PrimitiveId::none) return of_background(set, count);
-        const std::optional<size_t> index = around.index_of(answer);
-        return index ? of_triangle(set, *index, count) : Admissibility::outside;
-    } catch (const TooMuchWork&) {
-        return Admissibility::undecidable;
-    }
+    if (answer == PrimitiveId::none) return of_background(set, count);
+    const std::optional<size_t> index = around.index_of(answer);
+    return index ? of_triangle(set, *index, count) : Admissibility::outside;
 }
 
-/// By intervals, then by rationals.
-Decision decide_by_region(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar) {
-    AdmissibleSet<Interval> fast(around, coplanar);
+/// What was asked of a set; nothing where it would take too much work.
+template <class Answer>
+struct Asked {
+    std::optional<Answer> answer;
+    bool exact;  ///< did intervals leave it to rationals?
+    std::size_t work;
+};
+
+/// Asks the admissible set by intervals, then by rationals.
+template <class Answer, class Ask>
+Asked<Answer> ask_set(const Neighbourhood& around, const Ask& ask) {
+    const auto ask_within_limits = [&](auto& set) -> std::optional<Answer> {
+        try {
+            return ask(set);
+        } catch (const TooMuchWork&) {
+            return std::nullopt;
+        }
+    };
+    AdmissibleSet<Interval> fast(around);
     try {
-        const Admissibility found = admissibility_in(fast, around, answer);
-        return {found, false, around.eps_px, fast.work()};
+        const std::optional<Answer> answer = ask_within_limits(fast);
+        return {answer, false, fast.work()};
     } catch (const UndecidedSign&) {
-        AdmissibleSet<LazyRational> exact(around, coplanar);
-        const Admissibility found = admissibility_in(exact, around, answer);
-        return {found, true, around.eps_px, fast.work() + exact.work()};
+        AdmissibleSet<LazyRational> exact(around);
+        const std::optional<Answer> answer = ask_within_limits(exact);
+        return {answer, true, fast.work() + exact.work()};
     }
 }
 
@@ -70,21 +82,17 @@ bool share_an_edge(const Neighbour& a, const Neighbour& b) {
 
 }  // namespace
 
-Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar) {
+Decision decide(const Neighbourhood& around, PrimitiveId answer) {
     const double eps_px = around.eps_px;
-    switch (ConservativeTest(around, answer, coplanar).finding()) {
-        case ConservativeTest::Finding::visible:
-            return {Admissibility::visible, false, eps_px};
-        case ConservativeTest::Finding::tied:
-            return {Admissibility::tied, false, eps_px};
-        case ConservativeTest::Finding::undecided:
-            break;
-    }
-    return decide_by_region(around, answer, coplanar);
+    const ConservativeTest::Finding certain = ConservativeTest(around, answer).finding();
+    if (certain == ConservativeTest::Finding::visible) return {Admissibility::visible, false, eps_px};
+    if (certain == ConservativeTest::Finding::tied) return {Admissibility::tied, false, eps_px};
+    const auto [found, exact, work] =
+        ask_set<Admissibility>(around, [&](auto& set) { return admissibility_in(set, around, answer); });
+    return {found.value_or(Admissibility::undecidable), exact, eps_px, work};
 }
 
-DepthDecision may_lie_at(double inverse_depth, const Neighbourhood& around, PrimitiveId answer,
-                         CoplanarCache& coplanar) {
+DepthDecision may_lie_at(double inverse_depth, const Neighbourhood& around, PrimitiveId answer) {
     const std::optional<size_t> index = around.index_of(answer);
     if (!index) return {};
     Neighbourhood there = around;
@@ -92,22 +100,10 @@ DepthDecision may_lie_at(double inverse_depth, const Neighbourhood& around, Prim
     for (Neighbour& n : there.neighbours)
         n.may_be_missing |=
             n.triangle != there.neighbours[*index].triangle && share_an_edge(n, there.neighbours[*index]);
-    const auto is_held = [&]<class Number>(AdmissibleSet<Number>& set) {
-        try {
-            return set.holds(*index, {DepthRule::bounded, set.edge_rule()}) || set.holds(*index, by_crack);
-        } catch (const TooMuchWork&) {
-            return true;
-        }
-    };
-    AdmissibleSet<Interval> fast(there, coplanar);
-    try {
-        const bool may_lie_there = is_held(fast);
-        return {may_lie_there, fast.work()};
-    } catch (const UndecidedSign&) {
-        AdmissibleSet<LazyRational> exact(there, coplanar);
-        const bool may_lie_there = is_held(exact);
-        return {may_lie_there, fast.work() + exact.work()};
-    }
+    const auto [may_lie_there, exact, work] = ask_set<bool>(there, [&](auto& set) {
+        return set.holds(*index, {DepthRule::bounded, set.edge_rule()}) || set.holds(*index, by_crack);
+    });
+    return {may_lie_there.value_or(true), work};
 }
 
 PixelClass class_of(Admissibility candidate, Admissibility reference) {

@@ -36,7 +36,7 @@ struct Decision {
 
 /// Decides one answer: a triangle's id, which must be among the neighbours if it is to be admissible, or
 /// none. In double, then by intervals, then by rationals.
-Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar);
+Decision decide(const Neighbourhood& around, PrimitiveId answer);
 
 /// What may_lie_at() found.
 struct DepthDecision {
@@ -47,8 +47,7 @@ struct DepthDecision {
 /// May an admissible answer lie there, or does what covers the pixel for certain lie in front of that inverse
 /// depth? An image so thin that nothing bounds its depth may turn over: a neighbour that has an edge of it
 /// comes to lie beside it then, and hides none of it. Yes where it would take too much work.
-DepthDecision may_lie_at(double inverse_depth, const Neighbourhood& around, PrimitiveId answer,
-                         CoplanarCache& coplanar);
+DepthDecision may_lie_at(double inverse_depth, const Neighbourhood& around, PrimitiveId answer);
 
 /// The class of a pixel at which the two renderers gave different, each by itself judged, answers.
 PixelClass class_of(Admissibility candidate, Admissibility reference);

@@ -1,7 +1,6 @@
 #include "compare/admissible/admissible_set.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <iterator>
 #include <numeric>
@@ -49,14 +48,12 @@ double tolerated_px(const Neighbour& n) {
 }  // namespace
 
 template <class Number>
-AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around, CoplanarCache& coplanar)
+AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around)
     : around_(around),
       ray_(around.view, around.x, around.y),
       drawn_(around.neighbours.size()),
       pieces_(around.neighbours.size()),
-      front_to_back_(around.neighbours.size()),
-      coplanar_(coplanar) {
-    corners_by_hash_.fill(-1);
+      front_to_back_(around.neighbours.size()) {
     set_half_side(around.eps_px);
     std::iota(front_to_back_.begin(), front_to_back_.end(), size_t(0));
     std::ranges::stable_sort(front_to_back_, std::greater<>{},
@@ -116,50 +113,34 @@ auto AdmissibleSet<Number>::reversed(LinePointer line) -> LinePointer {
 }
 
 template <class Number>
-int AdmissibleSet<Number>::corner_id(const glm::vec3& p_world) {
-    const auto mixed = [](float f) {
-        return std::bit_cast<std::uint32_t>(f + 0.0f) * 0x9E3779B1u;
-    };  // -0 is 0
-    const std::uint32_t hash =
-        mixed(p_world.x) ^ std::rotl(mixed(p_world.y), 11) ^ std::rotl(mixed(p_world.z), 22);
-    int& first = corners_by_hash_[hash >> 24];
-    for (int id = first; id >= 0; id = corners_[std::size_t(id)].next_of_hash)
-        if (corners_[std::size_t(id)].p_world == p_world) return id;
-    corners_.push_back({p_world, first});
-    return first = int(corners_.size()) - 1;
-}
-
-template <class Number>
 auto AdmissibleSet<Number>::edge_line(const Affine<Number>& f, const CornersWorld& p_world, size_t edge)
     -> LinePointer {
-    const auto [low, high] =
-        std::minmax({corner_id(p_world[(edge + 1) % 3]), corner_id(p_world[(edge + 2) % 3])});
-    const int id = edge_id(low, high);
-    return &lines_.emplace_back(Line<Number>{f, id, {low, high}, edges_[std::size_t(id)].locus});
-}
-
-template <class Number>
-int AdmissibleSet<Number>::edge_id(int low, int high) {
-    int& first = corners_[std::size_t(low)].first_edge;
-    for (int id = first; id >= 0; id = edges_[std::size_t(id)].next_of_end)
-        if (edges_[std::size_t(id)].ends[1] == high) return id;
-    edges_.push_back({{low, high}, locus_of({low, high}), first});
-    return first = int(edges_.size()) - 1;
+    const glm::vec3 &from = p_world[(edge + 1) % 3], &to = p_world[(edge + 2) % 3];
+    const auto corner_id = [&](const glm::vec3& p) {
+        return corner_ids_.try_emplace({p.x, p.y, p.z}, int(corner_ids_.size())).first->second;
+    };
+    const int start = corner_id(from), end = corner_id(to);
+    const std::array<int, 2> ends{std::min(start, end), std::max(start, end)};
+    const auto [known, is_new] = edge_ids_.try_emplace(ends, int(edges_.size()));
+    if (is_new) {
+        const Slope slope = slope_of(from, to);
+        edges_.push_back({{from, to}, slope, locus_of(from, to, slope)});
+    }
+    const int id = known->second;
+    return &lines_.emplace_back(Line<Number>{f, id, ends, edges_[std::size_t(id)].locus});
 }
 
 /// The locus of an edge that is not among the others yet. The estimates in double are left as they are.
 template <class Number>
-int AdmissibleSet<Number>::locus_of(const std::array<int, 2>& ends) {
+int AdmissibleSet<Number>::locus_of(const glm::vec3& from_world, const glm::vec3& to_world,
+                                    const Slope& slope) {
     if constexpr (std::is_same_v<Number, double>) return -1;
-    const auto place = [&](int corner) { return corners_[std::size_t(corner)].p_world; };
-    slopes_.push_back(slope_of(place(ends[0]), place(ends[1])));
-    const auto along = [&](const MeshEdge& other) {
-        if (are_turned(slopes_[std::size_t(&other - edges_.data())], slopes_.back())) return false;
-        return collinear(place(other.ends[0]), place(other.ends[1]), place(ends[0])) &&
-               collinear(place(other.ends[0]), place(other.ends[1]), place(ends[1]));
-    };
     spend(edges_.size() / 128);  // a comparison costs a small part of a cut
-    const auto found = std::ranges::find_if(edges_, along);
+    const auto found = std::ranges::find_if(edges_, [&](const MeshEdge& other) {
+        const auto& [start, end] = other.ends_world;
+        return !are_turned(other.slope, slope) && collinear(start, end, from_world) &&
+               collinear(start, end, to_world);
+    });
     return found == edges_.end() ? int(edges_.size()) : found->locus;
 }
 
@@ -370,7 +351,7 @@ bool AdmissibleSet<Number>::is_in_front(size_t occluder, size_t seen, DepthRule 
     if (rule == DepthRule::bounded || front.greatest_inverse_depth < back.least_inverse_depth) return false;
     if (!drawn(seen).image || !drawn(occluder).image) return false;
     if (stands_apart(occluder, seen)) return false;  // and so hides none of it: their depths may be equal
-    if (meet_at_the_centre(occluder, seen) || are_coplanar(occluder, seen)) return true;
+    if (meet_at_the_centre(occluder, seen) || coplanar(front.p_world, back.p_world)) return true;
     return sign(drawn(occluder).image->inverse_depth.c - drawn(seen).image->inverse_depth.c) >= 0;
 }
 
@@ -427,11 +408,6 @@ bool AdmissibleSet<Number>::meet_at_the_centre(size_t occluder, size_t seen) {
         ends = edge->ends;
     }
     return false;
-}
-
-template <class Number>
-bool AdmissibleSet<Number>::are_coplanar(size_t a, size_t b) {
-    return coplanar_(around_.neighbours[a].of_scene(), around_.neighbours[b].of_scene());
 }
 
 /// Some that cover the square, nearest first: most are covered by the first. Nothing where all leave some of
@@ -553,7 +529,8 @@ std::optional<HalfPlanes<Number>> AdmissibleSet<Number>::true_cover(size_t occlu
     HalfPlanes<Number> half_planes(drawn(occluder).edge.begin(), drawn(occluder).edge.end());
     push_planes(half_planes, occluder);
     const bool certain = front.least_inverse_depth - slope > back.greatest_inverse_depth;
-    if (!certain && !are_coplanar(occluder, seen.index)) half_planes.push_back(nearer_side(occluder, seen));
+    if (!certain && !coplanar(front.p_world, back.p_world))
+        half_planes.push_back(nearer_side(occluder, seen));
     return half_planes;
 }
 

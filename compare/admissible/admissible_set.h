@@ -2,8 +2,10 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <optional>
 
+#include "compare/admissible/coplanar.h"
 #include "compare/admissible/edge_on.h"
 #include "compare/admissible/neighbourhood.h"
 #include "compare/admissible/region.h"
@@ -34,7 +36,7 @@ template <class Number>
 class AdmissibleSet {
   public:
     /// The neighbourhood and the cache must outlive the set.
-    AdmissibleSet(const Neighbourhood& neighbourhood, CoplanarCache& coplanar);
+    AdmissibleSet(const Neighbourhood& neighbourhood);
 
     /// What its answers took so far, in cuts of a region by a half-plane.
     std::size_t work() const { return work_; }
@@ -91,9 +93,7 @@ class AdmissibleSet {
     /// The other side of the same line.
     LinePointer reversed(LinePointer line);
     LinePointer edge_line(const Affine<Number>& f, const CornersWorld& p_world, size_t edge);
-    int corner_id(const glm::vec3& p_world);
-    int edge_id(int low, int high);
-    int locus_of(const std::array<int, 2>& ends);
+    int locus_of(const glm::vec3& from_world, const glm::vec3& to_world, const Slope& slope);
     NeighbourImage draw(const Neighbour& neighbour);
     Region<Number> square();
     std::array<LinePointer, 4> sides_of_square(double half_side_px);
@@ -121,7 +121,6 @@ class AdmissibleSet {
     LinePointer moved_inwards(LinePointer edge);
     bool stands_apart(size_t occluder, size_t seen);
     bool meet_at_the_centre(size_t occluder, size_t seen);
-    bool are_coplanar(size_t a, size_t b);
 
     bool is_in_front(size_t occluder, size_t seen, DepthRule rule);
     void push_planes(HalfPlanes<Number>& half_planes, size_t occluder);
@@ -148,24 +147,17 @@ class AdmissibleSet {
     ViewRay<Number> ray_;
     std::deque<Line<Number>> lines_;  ///< regions point at lines: all live as long as the set
     std::array<LinePointer, 4> sides_{};
-    struct CornerOfMesh {
-        glm::vec3 p_world;
-        int next_of_hash;     ///< id of another, or -1
-        int first_edge = -1;  ///< id of one of which it is the first end, or -1
-    };
-    std::vector<CornerOfMesh> corners_;
-    std::array<int, 256> corners_by_hash_{};
+    std::map<std::array<float, 3>, int> corner_ids_;
+    std::map<std::array<int, 2>, int> edge_ids_;  ///< by the ids of their ends, ascending
     struct MeshEdge {
-        std::array<int, 2> ends;  ///< ids of corners, ascending
+        std::array<glm::vec3, 2> ends_world;
+        Slope slope;
         int locus;
-        int next_of_end;  ///< id of another with the same first end, or -1
     };
     std::vector<MeshEdge> edges_;  ///< by id
-    std::vector<Slope> slopes_;    ///< of the edges
     std::vector<std::optional<NeighbourImage>> drawn_;
     std::vector<std::optional<std::vector<Piece>>> pieces_;  ///< in this square
     std::vector<size_t> front_to_back_;
-    CoplanarCache& coplanar_;
     /// Occluders that cover this square, all edges staying: of what is seen there, once they were found.
     struct Covering {
         std::optional<size_t> seen;

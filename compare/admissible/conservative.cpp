@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/admissible/coplanar.h"
+
 namespace zproof {
 
 namespace {
@@ -20,23 +22,18 @@ struct PlaneLimits {
 };
 PlaneLimits limits_of(const Camera& c, const Neighbour& n) {
     const bool perspective = c.projection == Projection::perspective;
-    const auto inverse_depth = [&](double depth) { return perspective ? 1 / depth : -depth; };
     const double near = c.near_depth + n.near_slack, far = c.far_depth - n.far_slack;
     const bool is_none_left = far <= (perspective ? 0 : -unlimited);
-    return {std::isinf(near) ? -unlimited : inverse_depth(near), is_none_left      ? unlimited
-                                                                 : std::isinf(far) ? -unlimited
-                                                                                   : inverse_depth(far)};
-}
-
-PixelOffset between(const PixelOffset& p, const PixelOffset& q, double t) {
-    return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+    return {std::isinf(near) ? -unlimited : inverse_depth_of(near, c.projection),
+            is_none_left      ? unlimited
+            : std::isinf(far) ? -unlimited
+                              : inverse_depth_of(far, c.projection)};
 }
 
 }  // namespace
 
-ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar)
+ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answer)
     : around_(around),
-      coplanar_(coplanar),
       error_scale_(2 * std::max(1.0, around.eps_px)),
       is_known_(std::isfinite(around.eps_px)),
       is_asked_(is_known_) {
@@ -169,7 +166,7 @@ bool ConservativeTest::hides_in(const Neighbour& n, double half_side_px) const {
     const Affine<double> ahead = n.image->inverse_depth - answer_->image->inverse_depth;
     const bool is_in_front =
         ahead.c - reach(ahead, half_side_px) > inverse_depth_error(n) + inverse_depth_error(*answer_);
-    return is_in_front || coplanar_(n.of_scene(), answer_->of_scene());
+    return is_in_front || coplanar(n.p_world, answer_->p_world);
 }
 
 bool ConservativeTest::is_seen_at_centre() const {
@@ -179,11 +176,9 @@ bool ConservativeTest::is_seen_at_centre() const {
 /// Does it lie between near and far, where they are, at the centre?
 bool ConservativeTest::lies_between_planes(const Neighbour& n) const {
     const Camera& c = around_.view.camera;
-    const bool perspective = c.projection == Projection::perspective;
-    const auto inverse_depth = [&](double depth) { return perspective ? 1 / depth : -depth; };
     const double error = inverse_depth_error(n);
-    return n.is_trusted && n.image->inverse_depth.c + error < inverse_depth(c.near_depth) &&
-           n.image->inverse_depth.c - error > inverse_depth(c.far_depth);
+    return n.is_trusted && n.image->inverse_depth.c + error < inverse_depth_of(c.near_depth, c.projection) &&
+           n.image->inverse_depth.c - error > inverse_depth_of(c.far_depth, c.projection);
 }
 
 auto ConservativeTest::finding() const -> Finding {
@@ -207,21 +202,6 @@ auto ConservativeTest::seen_within(double half_side_px) const -> Visibility {
     return Visibility::undecided;
 }
 
-double ConservativeTest::likely_displacement_px() const {
-    const auto beyond = [](const Affine<double>& e) { return e.c / (std::abs(e.a) + std::abs(e.b)); };
-    double likely_px = 0;
-    if (answer_ && answer_->image)
-        for (const Affine<double>& e : answer_->image->edge) likely_px = std::max(likely_px, -beyond(e));
-    for (const Neighbour* n : others_) {
-        if (!n->image) continue;
-        if (answer_ && answer_->image && n->image->inverse_depth.c < answer_->image->inverse_depth.c)
-            continue;
-        const auto& edge = n->image->edge;
-        likely_px = std::max(likely_px, std::min({beyond(edge[0]), beyond(edge[1]), beyond(edge[2])}));
-    }
-    return likely_px;
-}
-
 /// The part of the answer in the square, clipped edge by edge; inexact by rounding.
 auto ConservativeTest::part_in(double half_side_px) const -> Part {
     const double h = half_side_px;
@@ -233,9 +213,9 @@ auto ConservativeTest::part_in(double half_side_px) const -> Part {
         };
         for (std::size_t k = 0; k < part.count; ++k) {
             const PixelOffset &p = part.corner[k], &q = part.corner[(k + 1) % part.count];
-            const double at_p = value_at(e, p), at_q = value_at(e, q);
+            const double at_p = value_at(e, p), at_q = value_at(e, q), t = at_p / (at_p - at_q);
             if (at_p >= 0) keep(p);
-            if ((at_p >= 0) != (at_q >= 0)) keep(between(p, q, at_p / (at_p - at_q)));
+            if ((at_p >= 0) != (at_q >= 0)) keep({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
         }
         part = kept;
     }

@@ -19,7 +19,7 @@ constexpr double least_px(double eps_px) { return eps_px / displacement_steps; }
 class ConservativeTest {
   public:
     /// The answer is a triangle or none. The neighbourhood must outlive the test.
-    ConservativeTest(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar);
+    ConservativeTest(const Neighbourhood& around, PrimitiveId answer);
 
     enum class Finding { visible, tied, undecided };
     /// Visible, and no plane cuts anything in the square; or tied (admissibility.h).
@@ -31,10 +31,6 @@ class ConservativeTest {
     /// Is it seen in the square of that half-side, at most eps: what AdmissibleSet::is_seen() and, for
     /// background, holds_background() say?
     Visibility seen_within(double half_side_px) const;
-
-    /// The half-side at which a corner of the square reaches the answer's triangle, and no triangle that
-    /// holds the centre in front of it. An estimate.
-    double likely_displacement_px() const;
 
   private:
     /// What a triangle has of a square: a convex polygon.
@@ -69,7 +65,6 @@ class ConservativeTest {
     Part part_in(double half_side_px) const;
 
     const Neighbourhood& around_;
-    CoplanarCache& coplanar_;
     double error_scale_;
     const Neighbour* answer_ = nullptr;     ///< none for background
     std::vector<const Neighbour*> others_;  ///< that do not miss the square for certain, without the answer's

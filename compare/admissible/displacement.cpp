@@ -14,8 +14,8 @@ namespace {
 /// Is the answer seen in squares around the pixel? By the conservative test; polygons in double say the rest.
 class VisibleWithin {
   public:
-    VisibleWithin(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar)
-        : around_(around), answer_(answer), coplanar_(coplanar), test_(around, answer, coplanar) {}
+    VisibleWithin(const Neighbourhood& around, PrimitiveId answer)
+        : around_(around), answer_(answer), test_(around, answer) {}
 
     bool operator()(double half_side_px) {
         const ConservativeTest::Visibility seen = test_.seen_within(half_side_px);
@@ -26,44 +26,37 @@ class VisibleWithin {
     }
     /// Does a triangle meet the whole square?
     bool reaches() {
-        if (answer_ == PrimitiveId::none) return true;
-        if (!set_) set_.emplace(around_, coplanar_);
-        set_->set_half_side(around_.eps_px);
-        return set_->reaches(*around_.index_of(answer_));
+        return answer_ == PrimitiveId::none || set_of(around_.eps_px).reaches(*around_.index_of(answer_));
     }
-    double likely_px() const { return test_.likely_displacement_px(); }
     std::size_t work() const { return set_ ? set_->work() : 0; }
 
   private:
     bool is_estimated(double half_side_px) {
-        if (!set_) set_.emplace(around_, coplanar_);
-        set_->set_half_side(half_side_px);
-        if (answer_ == PrimitiveId::none) return set_->holds_background(set_->edge_rule());
+        AdmissibleSet<double>& set = set_of(half_side_px);
+        if (answer_ == PrimitiveId::none) return set.holds_background(set.edge_rule());
         const std::optional<std::size_t> index = around_.index_of(answer_);
-        return index && set_->is_seen(*index);
+        return index && set.is_seen(*index);
+    }
+    AdmissibleSet<double>& set_of(double half_side_px) {
+        if (!set_) set_.emplace(around_);
+        set_->set_half_side(half_side_px);
+        return *set_;
     }
 
     const Neighbourhood& around_;
     PrimitiveId answer_;
-    CoplanarCache& coplanar_;
     ConservativeTest test_;
     std::optional<AdmissibleSet<double>> set_;
 };
 
-/// What is seen in a square is seen in every larger one: by ever larger strides from the likely half-side,
-/// and then by bisection.
+/// What is seen in a square is seen in every larger one: by bisection.
 std::optional<double> least_displacement(VisibleWithin& seen_within, double eps_px) {
     const auto is_seen = [&](int step) { return seen_within(eps_px * step / displacement_steps); };
     if (is_seen(1)) return std::nullopt;
-    int too_small = 1, enough = displacement_steps, stride = 1;
-    const double likely_step = seen_within.likely_px() / eps_px * displacement_steps;
-    int step = int(std::min(std::max(too_small + 1.0, std::ceil(likely_step)), enough - 1.0));  // of NaN, too
+    int too_small = 1, enough = displacement_steps;
     while (enough - too_small > 1) {
-        const bool seen = is_seen(step);
-        (seen ? enough : too_small) = step;
-        step += seen ? -stride : stride;
-        stride *= 2;
-        if (step <= too_small || step >= enough) step = (too_small + enough) / 2;
+        const int step = (too_small + enough) / 2;
+        (is_seen(step) ? enough : too_small) = step;
     }
     if (enough == displacement_steps && !seen_within.reaches())
         return std::nullopt;  // shown by rounding alone
@@ -72,8 +65,8 @@ std::optional<double> least_displacement(VisibleWithin& seen_within, double eps_
 
 }  // namespace
 
-LeastDisplacement displacement_of(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar) {
-    VisibleWithin seen_within(around, answer, coplanar);
+LeastDisplacement displacement_of(const Neighbourhood& around, PrimitiveId answer) {
+    VisibleWithin seen_within(around, answer);
     try {
         const std::optional<double> over_eps = least_displacement(seen_within, around.eps_px);
         return {over_eps, seen_within.work()};

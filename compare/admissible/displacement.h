@@ -20,6 +20,6 @@ struct LeastDisplacement {
 ///
 /// For a triangle that misses the centre this is how far its corners must have moved; for one that others
 /// hide there, or for background, how far those others must have moved aside.
-LeastDisplacement displacement_of(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar);
+LeastDisplacement displacement_of(const Neighbourhood& around, PrimitiveId answer);
 
 }  // namespace zproof

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "compare/bounds/triangle_image.h"
+#include "math/rational.h"
 
 namespace zproof {
 
@@ -20,7 +21,6 @@ namespace detail {
 /// A vector that is not in the plane of a and b: the axis along which a x b is largest.
 template <class Number>
 Vector3<Number> axis_off(const Vector3<Number>& a_cross_b) {
-    const auto magnitude = [](const Number& n) { return sign(n) < 0 ? Number(-n) : n; };
     const Number x = magnitude(a_cross_b.x), y = magnitude(a_cross_b.y), z = magnitude(a_cross_b.z);
     if (sign(x - y) >= 0 && sign(x - z) >= 0) return {Number(1), Number(0), Number(0)};
     if (sign(y - z) >= 0) return {Number(0), Number(1), Number(0)};

@@ -22,8 +22,8 @@ InverseDepthRange inverse_depth_range(const BoundedTriangle& triangle, const std
                                       const LocalBounds& bounds, Projection projection) {
     const bool perspective = projection == Projection::perspective, keeps = triangle.keeps_to_corners;
     const double farthest = triangle.bounds.farthest, nearest = triangle.bounds.nearest;
-    const InverseDepthRange corners{perspective ? 1 / farthest : -farthest,
-                                    perspective ? 1 / nearest : -nearest};
+    const InverseDepthRange corners{inverse_depth_of(farthest, projection),
+                                    inverse_depth_of(nearest, projection)};
     const bool is_bounded =
         std::isfinite(bounds.depth_relative + bounds.depth_absolute + bounds.inverse_depth_error) &&
         (is_known(plane) || keeps);
@@ -53,11 +53,11 @@ ProductErrors product_errors(const ViewRay<double>& ray, const Corners<double>& 
     return {square * (ray_size.direction + steps), square * (is_parallel ? ray_size.direction : from_eye)};
 }
 
-/// What image_of() takes the orientation from.
+/// What image_of() takes the orientation from, in absolute value.
 double orientation_of(const ViewRay<double>& ray, const Corners<double>& p) {
     const Vector3<double> v0 = p[0] - ray.origin, v1 = p[1] - ray.origin, v2 = p[2] - ray.origin;
     const Vector3<double> normal = cross(v1 - v0, v2 - v0);
-    return ray.projection == Projection::perspective ? dot(v0, normal) : dot(normal, ray.direction);
+    return std::abs(dot(normal, ray.projection == Projection::perspective ? v0 : ray.direction));
 }
 
 }  // namespace
@@ -85,23 +85,19 @@ Neighbour seen_at(const ViewRay<double>& ray, const BoundedTriangle& triangle) {
     n.gradient = steepness(n.image->inverse_depth);
     n.plane_error = triangle.plane_error.at(std::abs(n.image->inverse_depth.c) + n.gradient);
     n.is_plane_known = std::isfinite(n.plane_error);
-    n.is_trusted = n.is_plane_known && std::abs(orientation_of(ray, p_world)) > errors.orientation;
+    n.is_trusted = n.is_plane_known && orientation_of(ray, p_world) > errors.orientation;
     return n;
-}
-
-void set_bounds(Neighbour& n, const BoundedTriangle& triangle, Projection projection) {
-    static_cast<TriangleLimits&>(n) = triangle.bounds;
-    std::optional<PlaneHere> plane;
-    if (n.image) plane = PlaneHere{n.image->inverse_depth.c, n.gradient, n.plane_error};
-    n.bounds = bounds_at(triangle, plane);
-    const InverseDepthRange range = inverse_depth_range(triangle, plane, n.bounds, projection);
-    n.least_inverse_depth = range.least;
-    n.greatest_inverse_depth = range.greatest;
 }
 
 Neighbour neighbour_of(const ViewRay<double>& ray, const BoundedTriangle& triangle) {
     Neighbour n = seen_at(ray, triangle);
-    set_bounds(n, triangle, ray.projection);
+    static_cast<TriangleLimits&>(n) = triangle.bounds;
+    std::optional<PlaneHere> plane;
+    if (n.image) plane = PlaneHere{n.image->inverse_depth.c, n.gradient, n.plane_error};
+    n.bounds = bounds_at(triangle, plane);
+    const InverseDepthRange range = inverse_depth_range(triangle, plane, n.bounds, ray.projection);
+    n.least_inverse_depth = range.least;
+    n.greatest_inverse_depth = range.greatest;
     return n;
 }
 

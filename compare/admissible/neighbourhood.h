@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "compare/admissible/coplanar.h"
 #include "compare/bounds/bounds.h"
 #include "compare/bounds/inverse_depth_range.h"
 #include "compare/bounds/pixel_coord.h"
@@ -37,8 +36,6 @@ struct Neighbour : TriangleLimits {
     double edge_error = 0, plane_error = 0;
     /// What a faultless renderer may hold for its inverse depth at the pixel, all bounds included.
     double least_inverse_depth = 0, greatest_inverse_depth = 0;
-
-    CoplanarCache::Triangle of_scene() const { return {triangle, p_world}; }
 };
 
 struct Neighbourhood {
@@ -79,9 +76,7 @@ bool comes_within(const TriangleImage<double>& image, double eps_px);
 
 /// What one triangle is at a pixel, whoever draws it: its image, with its errors. `triangle` is left 0.
 Neighbour seen_at(const ViewRay<double>& ray, const BoundedTriangle& triangle);
-/// Sets what depends on the renderer.
-void set_bounds(Neighbour& seen, const BoundedTriangle& triangle, Projection projection);
-/// Both steps in one: seen_at() and set_bounds().
+/// The same by a renderer's bounds.
 Neighbour neighbour_of(const ViewRay<double>& ray, const BoundedTriangle& triangle);
 inline Neighbour neighbour_of(const ViewRay<double>& ray, const ViewBounds& bounds,
                               const CornersWorld& p_world) {

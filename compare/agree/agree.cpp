@@ -1,221 +1,174 @@
 #include "compare/agree/agree.h"
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
-#include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
-#include "compare/agree/bound_table.h"
 #include "compare/agree/depth_errors.h"
-#include "compare/agree/row_counts.h"
 
 namespace zproof {
 
 namespace {
 
-/// Pixels that are looked at together: so many share their triangles.
-constexpr int block_width = row_pixels, block_height = 16;
+/// Rows that are looked at together: so many share their triangles.
+constexpr int band_height = 16;
 
-/// Pixels [left, right) of row y.
-struct PixelRow {
-    int left, right, y;
-
-    std::size_t count() const { return std::size_t(right - left); }
-    template <class T>
-    std::span<const T> of(const Plane<T>& plane) const {
-        return plane.row(y).subspan(std::size_t(left), count());
-    }
+/// What a triangle's depth may be by both renderers' bounds.
+struct Depths {
+    TriangleDepth candidate, reference;
 };
 
-/// Pixels [first, end) of a row, which show the same: a triangle of the table, or none of the scene's.
+/// Pixels [first, end) of a row, which show the same: a triangle, or none of the scene's.
 struct Run {
     std::size_t first, end;
-    std::optional<std::uint32_t> place;
+    const Depths* depths;  ///< null where it is none
 };
 
-/// A row's runs in both frames.
-struct RowRuns {
-    std::vector<Run> of_candidate, of_reference;
-    bool are_same = false;  ///< and the reference's are not listed
-
-    const std::vector<Run>& candidate() const { return of_candidate; }
-    const std::vector<Run>& reference() const { return are_same ? of_candidate : of_reference; }
-};
-
-/// What one frame shows in a row, and by whose bounds.
-struct FrameRow {
-    const Frame& frame;
+/// What one frame shows in a row, and whose bounds its depths are held against.
+struct Look {
+    std::span<const PrimitiveId> ids;
+    const std::vector<float>& depths;
     const std::vector<Run>& runs;
-    TriangleDepth BoundTable::Depths::*depth;
+    TriangleDepth Depths::*bounds;
 };
 
-/// One thread's look at both frames, block by block.
-class BlockScan {
+/// Looks at some rows of both frames.
+class BandScan {
   public:
-    BlockScan(const FramePair& frames, const Plane<std::uint8_t>& unproven, ErrorMaps* errors)
+    BandScan(const FramePair& frames, const Plane<std::uint8_t>& is_unproven, ErrorMaps* maps,
+             Agreement& found)
         : frames_(frames),
-          triangle_count_(frames.scene.triangles.size()),
-          unproven_(unproven),
-          table_(frames),
-          errors_(errors) {}
-
-    void scan(int left, int top, std::vector<UndecidedPixel>& undecided) {
-        const int right = std::min(left + block_width, frames_.view.width),
-                  bottom = std::min(top + block_height, frames_.view.height);
-        table_.clear();
-        for (int y = top; y < bottom; ++y) {
-            const PixelRow row{left, right, y};
-            const auto candidate = row.of(frames_.candidate.frame.primitive),
-                       reference = row.of(frames_.reference.frame.primitive);
-            RowRuns& runs = runs_[std::size_t(y - top)];
-            list_runs(candidate, runs.of_candidate);
-            runs.are_same = std::ranges::equal(candidate, reference);
-            if (!runs.are_same) list_runs(reference, runs.of_reference);
-        }
-        table_.make();
-        for (int y = top; y < bottom; ++y) scan({left, right, y}, runs_[std::size_t(y - top)], undecided);
+          is_unproven_(is_unproven),
+          maps_(maps),
+          found_(found),
+          first_pixel_(frames.view, 0, 0) {
+        const std::size_t padded = std::size_t(frames.view.width) + errors_together;
+        for (auto* depths : {&candidate_depths_, &reference_depths_}) depths->resize(padded);
+        for (auto* errors : {&candidate_errors_, &reference_errors_, &theirs_by_ours_})
+            errors->resize(padded);
     }
 
-    const RowCounts& counts() const { return counts_; }
+    void scan(int y) {
+        const Frame &ours = frames_.candidate.frame, &theirs = frames_.reference.frame;
+        const auto our_ids = ours.primitive.row(y), their_ids = theirs.primitive.row(y);
+        const std::vector<Run> our_runs = runs_in(our_ids),
+                               their_runs =
+                                   std::ranges::equal(our_ids, their_ids) ? our_runs : runs_in(their_ids);
+        std::ranges::copy(ours.camera_depth.row(y), candidate_depths_.begin());
+        std::ranges::copy(theirs.camera_depth.row(y), reference_depths_.begin());
+        const Look candidate{our_ids, candidate_depths_, our_runs, &Depths::candidate},
+            reference{their_ids, reference_depths_, their_runs, &Depths::reference};
+        find_errors(candidate, y, candidate_errors_, reference_depths_.data(), theirs_by_ours_.data());
+        find_errors(reference, y, reference_errors_);
+        for (const Run& run : their_runs)
+            for (std::size_t x = run.first; x < run.end; ++x) record(candidate, reference, run, {int(x), y});
+        if (!maps_) return;
+        write_map(candidate, candidate_errors_, y, maps_->candidate);
+        write_map(reference, reference_errors_, y, maps_->reference);
+    }
 
   private:
-    void list_runs(std::span<const PrimitiveId> ids, std::vector<Run>& runs) {
-        runs.clear();
-        for (std::size_t first = 0; first < ids.size();) {
+    std::vector<Run> runs_in(std::span<const PrimitiveId> ids) {
+        std::vector<Run> runs;
+        for (std::size_t first = 0; first < ids.size(); first = runs.back().end) {
             std::size_t end = first + 1;
             while (end < ids.size() && ids[end] == ids[first]) ++end;
-            const bool is_triangle = std::size_t(ids[first]) < triangle_count_;
-            runs.push_back(
-                {first, end, is_triangle ? std::optional(table_.place_of(ids[first])) : std::nullopt});
-            first = end;
+            const bool is_triangle = std::size_t(ids[first]) < frames_.scene.triangles.size();
+            runs.push_back({first, end, is_triangle ? &depths_of(ids[first]) : nullptr});
         }
+        return runs;
     }
 
-    /// What one frame shows, with error / bound; a background that is none and what is no triangle are
-    /// undecided.
-    void look_at(const PixelRow& row, const FrameRow& of, RowOf<PrimitiveId>& shown, RowOf<double>& errors) {
-        const auto ids = row.of(of.frame.primitive);
-        std::fill(std::ranges::copy(ids, shown.begin()).out, shown.end(), PrimitiveId::none);
-        std::ranges::copy(row.of(of.frame.camera_depth), depths_.begin());
-        for (const auto& [first, end, place] : of.runs)
-            if (place)
-                find_depth_errors(table_[*place].*of.depth, row.left + int(first), row.y, end - first,
-                                  &depths_[first], &errors_found_[first], &rooms_[first]);
+    const Depths& depths_of(PrimitiveId id) {
+        const auto [found, is_new] = of_triangle_.try_emplace(id);
+        if (is_new) {
+            const TriangleInView triangle(first_pixel_, frames_.candidate.bounds,
+                                          corners_of(frames_.scene, std::uint32_t(id)));
+            found->second = {TriangleDepth(triangle, frames_.candidate.shown_bounds),
+                             TriangleDepth(triangle, frames_.reference.shown_bounds)};
+        }
+        return found->second;
+    }
+
+    /// Error / bound of each depth; a background that is none and what is no triangle are undecided. Other
+    /// depths, if any, are held against the same triangles' bounds.
+    static void find_errors(const Look& look, int y, std::vector<double>& errors,
+                            const float* other_depths = nullptr, double* other_errors = nullptr) {
+        for (const auto& [first, end, depths] : look.runs)
+            if (depths)
+                find_depth_errors(depths->*look.bounds, int(first), y, end - first, &look.depths[first],
+                                  &errors[first], other_depths ? other_depths + first : nullptr,
+                                  other_errors ? other_errors + first : nullptr);
             else
-                for (std::size_t i = first; i < end; ++i)
-                    errors_found_[i] =
-                        ids[i] == PrimitiveId::none && depths_[i] == background_depth ? 0 : undecided_error;
-        std::fill(std::copy_n(errors_found_.begin(), ids.size(), errors.begin()), errors.end(), 0.0);
+                for (std::size_t x = first; x < end; ++x)
+                    errors[x] = look.ids[x] == PrimitiveId::none && look.depths[x] == background_depth
+                                    ? 0
+                                    : undecided_error;
     }
 
-    /// Do both frames show nothing but background?
-    bool is_bare(const PixelRow& row, const RowRuns& runs) const {
-        const auto is_background = [](float depth) { return depth == background_depth; };
-        return runs.are_same && runs.of_candidate.size() == 1 &&
-               std::ranges::count(row.of(unproven_), 1) == 0 &&
-               row.of(frames_.candidate.frame.primitive).front() == PrimitiveId::none &&
-               std::ranges::all_of(row.of(frames_.candidate.frame.camera_depth), is_background) &&
-               std::ranges::all_of(row.of(frames_.reference.frame.camera_depth), is_background);
-    }
-
-    void scan(const PixelRow& row, const RowRuns& runs, std::vector<UndecidedPixel>& undecided) {
-        if (!errors_ && is_bare(row, runs)) return;
-        const FrameRow candidate{frames_.candidate.frame, runs.candidate(), &BoundTable::Depths::candidate},
-            reference{frames_.reference.frame, runs.reference(), &BoundTable::Depths::reference};
-        look_at(row, reference, row_.reference, row_.reference_error);
-        look_at(row, candidate, row_.candidate, row_.candidate_error);
-        const bool is_any_unproven = find_unproven(row, runs.reference());
-        if (counts_.add(row_) || is_any_unproven) list_undecided(row, undecided);
-        if (!errors_) return;
-        write_errors(row, candidate, row_.candidate_error, errors_->candidate);
-        write_errors(row, reference, row_.reference_error, errors_->reference);
-    }
-
-    void list_undecided(const PixelRow& row, std::vector<UndecidedPixel>& undecided) const {
-        for (std::size_t i = 0; i < row.count(); ++i) {
-            const bool are_decided = row_.candidate_error[i] >= 0 && row_.reference_error[i] >= 0;
-            const bool is_id_undecided = row_.candidate[i] != row_.reference[i] || is_unproven_[i] != 0;
-            if (!are_decided || is_id_undecided)
-                undecided.push_back({{row.left + int(i), row.y}, are_decided, is_id_undecided});
+    /// Counts the pixel where both frames agree, and lists it where they do not, or where their agreement
+    /// proves nothing: the reference may displace its triangle farther than the candidate may, or its depth
+    /// is none that the candidate may give.
+    void record(const Look& candidate, const Look& reference, const Run& of_reference,
+                const PixelCoord& place) {
+        const auto x = std::size_t(place.x);
+        const double ours = candidate_errors_[x], theirs = reference_errors_[x];
+        const bool are_decided = ours >= 0 && theirs >= 0, are_same = candidate.ids[x] == reference.ids[x];
+        if (are_decided && are_same && of_reference.depths) {
+            count(found_.candidate_depth, ours);
+            count(found_.reference_depth, theirs);
         }
-    }
-
-    /// Lists the pixels of a row that show the same in both, where the reference does not prove it: it may
-    /// displace a triangle farther there than the candidate may, or its depth is none that the candidate may
-    /// give. Is there any? The candidate must have been looked at last.
-    bool find_unproven(const PixelRow& row, const std::vector<Run>& runs) {
-        const auto ours = row.of(frames_.candidate.frame.camera_depth),
-                   theirs = row.of(frames_.reference.frame.camera_depth);
-        std::ranges::copy(row.of(unproven_), is_unproven_.begin());
-        for (const auto& [first, end, place] : runs) {
-            bool is_near = true;
-            for (std::size_t i = first; i < end; ++i)
-                is_near &= std::abs(double(ours[i]) - double(theirs[i])) <= rooms_[i];
-            if (!place || is_near) continue;
-            std::ranges::copy(theirs.subspan(first, end - first), &depths_[first]);
-            find_depth_errors(table_[*place].candidate, row.left + int(first), row.y, end - first,
-                              &depths_[first], &errors_found_[first], rooms_there_.data());
-            for (std::size_t i = first; i < end; ++i)
-                is_unproven_[i] |= std::uint8_t(row_.candidate_error[i] >= 0 && errors_found_[i] < 0);
-        }
-        return std::ranges::count(std::span(is_unproven_).first(row.count()), 1) > 0;
+        const bool is_another_depth = of_reference.depths && ours >= 0 && theirs_by_ours_[x] < 0;
+        const bool is_id_undecided = !are_same || is_another_depth || is_unproven_.at(place.x, place.y) != 0;
+        if (!are_decided || is_id_undecided)
+            found_.undecided.push_back({place, are_decided, is_id_undecided});
     }
 
     /// What is undecided has an error as well.
-    void write_errors(const PixelRow& row, const FrameRow& of, const RowOf<double>& errors,
-                      Plane<float>& map) {
-        const auto depths = row.of(of.frame.camera_depth);
-        for (const auto& [first, end, place] : of.runs)
-            for (std::size_t i = first; i < end; ++i) {
-                const int x = row.left + int(i);
+    static void write_map(const Look& look, const std::vector<double>& errors, int y, Plane<float>& map) {
+        for (const auto& [first, end, depths] : look.runs)
+            for (std::size_t x = first; x < end; ++x) {
                 double error = std::numeric_limits<double>::quiet_NaN();
-                if (place && errors[i] >= 0)
-                    error = errors[i];
-                else if (place)
-                    error = error_over_bound((table_[*place].*of.depth).at(x, row.y), depths[i]);
-                map.at(x, row.y) = float(error);
+                if (depths && errors[x] >= 0)
+                    error = errors[x];
+                else if (depths)
+                    error = error_over_bound((depths->*look.bounds).at(int(x), y), look.depths[x]);
+                map.at(int(x), y) = float(error);
             }
     }
 
     const FramePair& frames_;
-    std::size_t triangle_count_;
-    const Plane<std::uint8_t>& unproven_;
-    BoundTable table_;
-    ErrorMaps* errors_;
-    std::array<RowRuns, block_height> runs_;  ///< of the block at hand
-    ComparedRow row_;
-    RowOf<std::uint8_t> is_unproven_{};
-    /// The depths of one frame's row; runs are read and written beyond their ends, from left to right.
-    std::array<float, row_pixels + errors_together> depths_{};
-    std::array<double, row_pixels + errors_together> errors_found_{}, rooms_{}, rooms_there_{};
-    RowCounts counts_;
+    const Plane<std::uint8_t>& is_unproven_;
+    ErrorMaps* maps_;
+    Agreement& found_;
+    ViewRay<double> first_pixel_;
+    std::unordered_map<PrimitiveId, Depths> of_triangle_;
+    /// Of one row; runs are read and written beyond their ends, from left to right.
+    std::vector<float> candidate_depths_, reference_depths_;
+    std::vector<double> candidate_errors_, reference_errors_;
+    std::vector<double>
+        theirs_by_ours_;  ///< the reference's depths by the candidate's bounds, where both show the same
 };
 
 }  // namespace
 
-Agreement find_agreement(const FramePair& frames, const Plane<std::uint8_t>& is_unproven, ErrorMaps* errors) {
-    const int bands = (frames.view.height + block_height - 1) / block_height;
-    tbb::enumerable_thread_specific<BlockScan> scans([&] { return BlockScan(frames, is_unproven, errors); });
-    std::vector<std::vector<UndecidedPixel>> of_band;
-    of_band.resize(std::size_t(bands));
+Agreement find_agreement(const FramePair& frames, const Plane<std::uint8_t>& is_unproven, ErrorMaps* maps) {
+    const int height = frames.view.height, bands = (height + band_height - 1) / band_height;
+    std::vector<Agreement> of_band(std::size_t(bands), Agreement{});
     tbb::parallel_for(0, bands, [&](int band) {
-        BlockScan& scan = scans.local();
-        for (int left = 0; left < frames.view.width; left += block_width)
-            scan.scan(left, band * block_height, of_band[std::size_t(band)]);
+        BandScan scan(frames, is_unproven, maps, of_band[std::size_t(band)]);
+        for (int y = band * band_height; y < std::min((band + 1) * band_height, height); ++y) scan.scan(y);
     });
     Agreement all;
-    for (const BlockScan& scan : scans) {
-        add(all.candidate_depth, scan.counts().candidate());
-        add(all.reference_depth, scan.counts().reference());
+    for (const Agreement& part : of_band) {
+        add(all.candidate_depth, part.candidate_depth);
+        add(all.reference_depth, part.reference_depth);
+        all.undecided.insert(all.undecided.end(), part.undecided.begin(), part.undecided.end());
     }
-    for (const auto& pixels : of_band)
-        all.undecided.insert(all.undecided.end(), pixels.begin(), pixels.end());
     return all;
 }
 

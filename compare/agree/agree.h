@@ -20,7 +20,7 @@ struct UndecidedPixel {
 
 struct Agreement {
     BoundRecord candidate_depth, reference_depth;  ///< where ids are the same and depths admissible
-    std::vector<UndecidedPixel> undecided;         ///< block by block
+    std::vector<UndecidedPixel> undecided;         ///< in raster order
 };
 
 /// Runs on the threads of the surrounding tbb::task_arena; the result does not depend on their number. Fills

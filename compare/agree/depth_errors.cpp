@@ -8,47 +8,44 @@ namespace zproof {
 
 namespace {
 
-template <Projection projection, TriangleDepth::Relative relative>
-[[gnu::always_inline]] inline void find_errors(const TriangleDepth& of, int x, int y, int count,
-                                               const float* depths, double* errors, double* rooms) {
-    const TriangleDepth triangle = of;  // its numbers change under no pixel's error
-    for (int i = 0; i < count; ++i) {
-        const auto [error, room] = triangle.certain_error<projection, relative>(x + i, y, depths[i]);
-        errors[i] = error;
-        rooms[i] = room;
-    }
-}
-
 template <Projection projection>
 [[gnu::always_inline]] inline void find_errors(const TriangleDepth& of, int x, int y, int count,
-                                               const float* depths, double* errors, double* rooms) {
-    using enum TriangleDepth::Relative;
-    if (of.relative() == constant)
-        find_errors<projection, constant>(of, x, y, count, depths, errors, rooms);
+                                               const float* depths, double* errors, const float* other_depths,
+                                               double* other_errors) {
+    const TriangleDepth triangle = of;  // its numbers change under no pixel's error
+    const auto error_at = [&](int i, float depth) {
+        return triangle.certain_error<projection>(x + i, y, depth);
+    };
+    if (other_depths)
+        for (int i = 0; i < count; ++i) {
+            errors[i] = error_at(i, depths[i]);
+            other_errors[i] = error_at(i, other_depths[i]);
+        }
     else
-        find_errors<projection, by_inverse_depth>(of, x, y, count, depths, errors, rooms);
+        for (int i = 0; i < count; ++i) errors[i] = error_at(i, depths[i]);
 }
 
 /// Every pixel's operations keep their order, whatever is done side by side.
 void find_on_plane(const TriangleDepth& triangle, int x, int y, int count, const float* depths,
-                   double* errors, double* rooms) {
+                   double* errors, const float* other_depths, double* other_errors) {
     if (triangle.projection() == Projection::perspective)
-        find_errors<Projection::perspective>(triangle, x, y, count, depths, errors, rooms);
+        find_errors<Projection::perspective>(triangle, x, y, count, depths, errors, other_depths,
+                                             other_errors);
     else
-        find_errors<Projection::parallel>(triangle, x, y, count, depths, errors, rooms);
+        find_errors<Projection::parallel>(triangle, x, y, count, depths, errors, other_depths, other_errors);
 }
 
 }  // namespace
 
 void find_depth_errors(const TriangleDepth& triangle, int x, int y, std::size_t count, const float* depths,
-                       double* errors, double* rooms) {
+                       double* errors, const float* other_depths, double* other_errors) {
     const std::size_t rounded_up = (count + errors_together - 1) / errors_together * errors_together;
     if (triangle.has_plane()) {
-        widest<find_on_plane>(triangle, x, y, int(rounded_up), depths, errors, rooms);
+        widest<find_on_plane>(triangle, x, y, int(rounded_up), depths, errors, other_depths, other_errors);
         return;
     }
     std::fill_n(errors, count, undecided_error);
-    std::fill_n(rooms, count, undecided_error);
+    if (other_depths) std::fill_n(other_errors, count, undecided_error);
 }
 
 }  // namespace zproof

@@ -13,10 +13,10 @@ inline constexpr double undecided_error = -1;
 /// Errors are found for so many pixels at a time.
 inline constexpr std::size_t errors_together = 4;
 
-/// Writes error / bound, or undecided_error, of `count` pixels (x, y), (x + 1, y) ... that show the triangle,
-/// and how far a depth may be from that one and be certainly admissible as well (negative: no depth is known
-/// to be). Up to the next multiple of errors_together, depths are read and both are written beyond them.
+/// Writes error / bound, or undecided_error, of `count` pixels (x, y), (x + 1, y) ... that show the triangle.
+/// Up to the next multiple of errors_together, depths are read and errors are written beyond them. Other
+/// depths at the same pixels, if any, are held against the same bounds.
 void find_depth_errors(const TriangleDepth& triangle, int x, int y, std::size_t count, const float* depths,
-                       double* errors, double* rooms);
+                       double* errors, const float* other_depths = nullptr, double* other_errors = nullptr);
 
 }  // namespace zproof

@@ -11,10 +11,6 @@ namespace zproof {
 
 namespace {
 
-double sum_abs_of(const Vector3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
-
-double dot_abs(const Vector3<double>& a, const Vector3<double>& b) { return dot(absolute(a), absolute(b)); }
-
 /// What 1 / depth costs, twice: value / depth is such a sum as well. A corner's weight is 1 / depth.
 double relative_of_depth(const Surface& s) {
     const double of_corner = s.facts.perspective ? s.bounds.depth_absolute / s.bounds.nearest : 0;
@@ -68,24 +64,25 @@ InterpolationErrors errors_of(const RasterPrecision& precision, const Surface& s
 /// Absolute errors of the three weights of image_of(), added up.
 double weights_error(const RayPrecision& precision, const Surface& s) {
     const double unit = unit_of(precision.arithmetic);
-    const Corners<double> p = corners<double>(s.p_world());
-    const Corners<double> v{p[0] - s.ray.origin, p[1] - s.ray.origin, p[2] - s.ray.origin};
-    const Vector3<double> direction = absolute(s.ray.direction), e1 = v[1] - v[0], e2 = v[2] - v[0];
+    const auto in_glm = [](const Vector3<double>& v) { return glm::dvec3(v.x, v.y, v.z); };
+    const glm::dvec3 origin = in_glm(s.ray.origin), direction = abs(in_glm(s.ray.direction));
+    std::array<glm::dvec3, 3> v;
+    for (std::size_t i = 0; i < 3; ++i) v[i] = glm::dvec3(s.p_world()[i]) - origin;
+    const glm::dvec3 e1 = v[1] - v[0], e2 = v[2] - v[0];
     double sum = 0;
     switch (precision.test) {
         case RayTest::pluecker:
             for (std::size_t i = 0; i < 3; ++i) {
-                const Vector3<double>&a = v[i], &b = v[(i + 1) % 3];
-                sum += dot_abs(absolute_cross(b - a, b + a), direction);
+                const glm::dvec3 &a = v[i], &b = v[(i + 1) % 3];
+                sum += dot(abs_cross(b - a, b + a), direction);
             }
             return gamma(7, unit) * sum / 2;
         case RayTest::moeller_trumbore:
-            sum =
-                dot(absolute_cross(e1, v[0]) + absolute_cross(e2, v[0]) + absolute_cross(e1, e2), direction);
+            sum = dot(abs_cross(e1, v[0]) + abs_cross(e2, v[0]) + abs_cross(e1, e2), direction);
             return 2 * gamma(10, unit) * sum;
         case RayTest::woop:
-            return sheared_weights_error({sum_abs_of(v[0]), sum_abs_of(v[1]), sum_abs_of(v[2])},
-                                         sum_abs_of(direction), unit);
+            return sheared_weights_error({sum_abs(v[0]), sum_abs(v[1]), sum_abs(v[2])}, sum_abs(direction),
+                                         unit);
     }
     return unlimited;
 }

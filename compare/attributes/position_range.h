@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "compare/bounds/triangle_size.h"
+#include "compare/bounds/triangle_extent.h"
 #include "compare/bounds/view_ray.h"
 #include "math/interval.h"
 #include "math/rational.h"

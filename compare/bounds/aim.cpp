@@ -14,9 +14,9 @@ Aim::Aim(const ViewFacts& facts, double direction_error, double origin_error, do
         origin[i] =
             facts.perspective ? 0 : origin_error * glm::dot(glm::abs(axes[std::size_t(i)]), origin_world);
     }
-    px = offset_px + facts.lateral_px(facts.perspective ? direction : origin);
+    px = offset_px + facts.scale.lateral_px(facts.perspective ? direction : origin);
     start = facts.start;
-    px_per_depth = facts.perspective ? 0 : facts.lateral_px(direction);
+    px_per_depth = facts.perspective ? 0 : facts.scale.lateral_px(direction);
     depth_relative = direction.z;
     depth_absolute = origin.z;
 }

@@ -11,13 +11,10 @@ BoundedBounds::BoundedBounds(const ViewFacts& facts, const BoundedPrecision& pre
 
 TriangleBounds BoundedBounds::of(const ViewFacts& facts, const TriangleExtent&) const {
     const Camera& c = facts.view.camera;
-    TriangleBounds bounds = bounds_of({.eps_base_px = precision_.eps_px,
-                                       .eps_per_inverse_depth = 0,
-                                       .factor = 0,
-                                       .absolute = depth_absolute_,
-                                       .inverse_depth_error = 0,
-                                       .plane_offset = 0,
-                                       .share = precision_.depth_relative});
+    TriangleBounds bounds;
+    bounds.eps_base_px = bounds.depth_eps_base_px = precision_.eps_px;
+    bounds.depth_absolute = depth_absolute_;
+    bounds.depth_share = precision_.depth_relative;
     const auto slack = [&](double depth) {
         return std::isfinite(depth)
                    ? std::abs(depth) * compounded(precision_.depth_relative) + depth_absolute_

@@ -12,7 +12,6 @@ class BoundedBounds {
     BoundedBounds(const ViewFacts& facts, const BoundedPrecision& precision);
 
     TriangleBounds of(const ViewFacts& facts, const TriangleExtent& extent) const;
-    bool is_watertight() const { return precision_.watertight; }
     double background_eps_px() const { return precision_.eps_px; }
 
   private:

@@ -50,6 +50,7 @@ ViewBounds::ViewBounds(const View& view, const Precision& precision)
       near_depth_(ends_at_the_eye(precision) ? std::max(view.camera.near_depth, 0.0)
                                              : view.camera.near_depth),
       depth_step_(std::visit([](const auto& p) { return p.depth_step; }, precision)),
+      is_watertight_(zproof::is_watertight(precision)),
       of_kind_(std::visit([&](const auto& p) -> OfKind { return for_kind(facts_, p); }, precision)) {}
 
 ViewBounds ViewBounds::of_shown(const View& view, const Precision& precision) {
@@ -60,31 +61,12 @@ ViewBounds ViewBounds::of_shown(const View& view, const Precision& precision) {
 
 TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {
     TriangleBounds bounds = std::visit([&](const auto& kind) { return kind.of(facts_, extent); }, of_kind_);
-    const CornerDepths corners = corner_depths(extent);
-    bounds.nearest = corners.nearest;
-    bounds.farthest = corners.farthest;
+    const Camera& c = facts_.view.camera;
+    const auto [low, high] = std::ranges::minmax(extent.size.depth);
+    bounds.nearest = std::clamp(low, c.near_depth, c.far_depth);
+    bounds.farthest = std::clamp(high, c.near_depth, c.far_depth);
     if (is_of_shown_) allow_steps(depth_step_, bounds);
     return bounds;
-}
-
-DepthTerms ViewBounds::depth_terms(const TriangleExtent& extent) const {
-    if (is_of_shown_) return of(extent).depth_terms();
-    if (const auto* raster = std::get_if<RasterBounds>(&of_kind_))
-        if (const auto& terms = raster->common_terms()) return terms->of(extent.size);
-    if (const auto* ray = std::get_if<RayBounds>(&of_kind_))
-        if (const auto terms = ray->quick_depth_terms(extent)) return *terms;
-    return of(extent).depth_terms();
-}
-
-auto ViewBounds::corner_depths(const TriangleExtent& extent) const -> CornerDepths {
-    const Camera& c = facts_.view.camera;
-    const auto [low, high] = std::minmax({extent.size.depth[0], extent.size.depth[1], extent.size.depth[2]});
-    return {std::clamp(low, c.near_depth, c.far_depth), std::clamp(high, c.near_depth, c.far_depth)};
-}
-
-bool ViewBounds::keeps_to_corners() const {
-    const auto* raster = std::get_if<RasterBounds>(&of_kind_);
-    return raster && raster->keeps_to_corners();
 }
 
 InverseDepthRange ViewBounds::compared_at(double depth) const {
@@ -94,46 +76,20 @@ InverseDepthRange ViewBounds::compared_at(double depth) const {
 }
 
 InverseDepthRange ViewBounds::compared_before_steps(double depth) const {
-    const auto* raster = std::get_if<RasterBounds>(&of_kind_);
     const auto* ray = std::get_if<RayBounds>(&of_kind_);
-    if (!(raster && raster->shows_what_it_compares()) && !(ray && ray->has_depth_of_distance()))
+    if (!(raster() && raster()->shows_what_it_compares()) && !(ray && ray->has_depth_of_distance()))
         return {-unlimited, unlimited};
-    const double here = facts_.perspective ? 1 / depth : -depth,
+    const double here = inverse_depth_of(depth, projection()),
                  error = std::abs(here) * gamma(2, unit_roundoff_float32) +
-                         (raster ? raster->decoding_error(facts_) : 0);
+                         (raster() ? raster()->decoding_error(facts_) : 0);
     return facts_.perspective && !(depth > 0) ? InverseDepthRange{-unlimited, unlimited}
                                               : InverseDepthRange{here - error, here + error};
 }
 
 bool ViewBounds::can_be_stored(double depth) const {
-    const auto* raster = std::get_if<RasterBounds>(&of_kind_);
-    if (!raster || !raster->shows_what_it_compares()) return true;
-    const InverseDepthRange stored = raster->storable(facts_), here = compared_at(depth);
+    if (!raster() || !raster()->shows_what_it_compares()) return true;
+    const InverseDepthRange stored = raster()->storable(facts_), here = compared_at(depth);
     return here.greatest >= stored.least && here.least <= stored.greatest;
-}
-
-bool ViewBounds::is_watertight() const {
-    return std::visit([](const auto& kind) { return kind.is_watertight(); }, of_kind_);
-}
-
-bool ViewBounds::cuts_triangles() const {
-    const auto* raster = std::get_if<RasterBounds>(&of_kind_);
-    return raster ? !raster->is_homogeneous() : std::holds_alternative<BoundedBounds>(of_kind_);
-}
-
-bool ViewBounds::cuts_by_depth() const {
-    const auto* raster = std::get_if<RasterBounds>(&of_kind_);
-    return !raster || raster->is_homogeneous();
-}
-
-bool ViewBounds::clips_at_sides() const {
-    const auto* raster = std::get_if<RasterBounds>(&of_kind_);
-    return raster && raster->clips_at_sides();
-}
-
-double ViewBounds::least_eps_px() const {
-    const auto* raster = std::get_if<RasterBounds>(&of_kind_);
-    return raster ? raster->snap_px() : background_eps_px();
 }
 
 double ViewBounds::background_eps_px() const {

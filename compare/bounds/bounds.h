@@ -26,15 +26,8 @@ class ViewBounds {
     TriangleExtent extent_of(const CornersWorld& p_world) const { return facts_.extent_of(p_world); }
     TriangleBounds of(const TriangleExtent& extent) const;
     TriangleBounds of(const CornersWorld& p_world) const { return of(extent_of(p_world)); }
-    /// What depth needs of it.
-    DepthTerms depth_terms(const TriangleExtent& extent) const;
-    /// Camera depths of the corners, clamped to near and far.
-    struct CornerDepths {
-        double nearest, farthest;
-    };
-    CornerDepths corner_depths(const TriangleExtent& extent) const;
     /// Is every depth a weighted mean of the corners'? A ray and a plane equation meet the plane beyond them.
-    bool keeps_to_corners() const;
+    bool keeps_to_corners() const { return raster() && raster()->keeps_to_corners(); }
     /// What inverse depth may have been compared where this depth is shown; what decoding z costs included.
     /// Everything where another depth is compared than is shown.
     InverseDepthRange compared_at(double depth) const;
@@ -45,13 +38,15 @@ class ViewBounds {
     /// Can a depth buffer hold that? It holds z in [0, 1].
     bool can_be_stored(double depth) const;
     /// Do triangles that share an edge move it alike?
-    bool is_watertight() const;
+    bool is_watertight() const { return is_watertight_; }
     /// Does it make several triangles of one that near or far clips? A ray caster clips none.
-    bool cuts_triangles() const;
+    bool cuts_triangles() const {
+        return raster() ? !raster()->is_homogeneous() : std::holds_alternative<BoundedBounds>(of_kind_);
+    }
     /// Is every pixel's depth held against near and far?
-    bool cuts_by_depth() const;
+    bool cuts_by_depth() const { return !raster() || raster()->is_homogeneous(); }
     /// Does clipping put new edges on the image's sides?
-    bool clips_at_sides() const;
+    bool clips_at_sides() const { return raster() && raster()->clips_at_sides(); }
     Projection projection() const { return facts_.view.camera.projection; }
     /// The camera depth before which nothing is drawn.
     double near_depth() const { return near_depth_; }
@@ -60,9 +55,8 @@ class ViewBounds {
         double origin, direction;
     };
     RaySize ray_size() const {
-        const Vector3<double> origin = facts_.gauge.eye_abs + facts_.gauge.origin_abs,
-                              &direction = facts_.gauge.direction_abs;
-        return {origin.x + origin.y + origin.z, direction.x + direction.y + direction.z};
+        const glm::dvec3 eye(facts_.view.camera.eye_world);
+        return {sum_abs(abs(eye) + facts_.origin_abs), sum_abs(facts_.direction_abs)};
     }
     /// No |inverse depth| in the image is larger; `inverse_depth` is of pixel indices.
     double largest_in_image(const Affine<double>& inverse_depth) const {
@@ -72,7 +66,7 @@ class ViewBounds {
     /// The share that every triangle has in common; above 0.
     double background_eps_px() const;
     /// No triangle's eps is less; may be 0.
-    double least_eps_px() const;
+    double least_eps_px() const { return raster() ? raster()->snap_px() : background_eps_px(); }
 
   private:
     using OfKind = std::variant<RasterBounds, RayBounds, PlaneRayBounds, BoundedBounds>;
@@ -81,8 +75,10 @@ class ViewBounds {
     double near_depth_;
     double depth_step_;         ///< between reported depths, scene units
     bool is_of_shown_ = false;  ///< does a depth's bound hold what is rounded to a step?
+    bool is_watertight_;
     OfKind of_kind_;
 
+    const RasterBounds* raster() const { return std::get_if<RasterBounds>(&of_kind_); }
     InverseDepthRange compared_before_steps(double depth) const;
 };
 

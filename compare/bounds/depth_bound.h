@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "scenes/camera.h"
+
 namespace zproof {
 
 /// Camera depths [low, high], and the true depth at the pixel's centre.
@@ -14,6 +16,9 @@ struct DepthBound {
 struct InverseDepthRange {
     double least, greatest;
 };
+inline double inverse_depth_of(double depth, Projection projection) {
+    return projection == Projection::perspective ? 1 / depth : -depth;
+}
 
 /// |depth - truth| over the bound on that side; 0 for an exact hit, and where nothing bounds it; NaN for NaN.
 inline double error_over_bound(const DepthBound& bound, double depth) {

@@ -13,7 +13,7 @@ namespace {
 struct CornersBeforeDivide {
     std::array<glm::dvec3, 3> exact, largest;
 
-    CornersBeforeDivide(const ViewFacts& facts, const TriangleExtent& extent, const Vector3<double>& moved) {
+    CornersBeforeDivide(const ViewFacts& facts, const TriangleExtent& extent, const glm::dvec3& moved) {
         const glm::dvec3 shift{moved.x + facts.scale.slant_u * (facts.perspective ? 0 : moved.z),
                                moved.y + facts.scale.slant_v * (facts.perspective ? 0 : moved.z),
                                facts.perspective ? moved.z : 0};
@@ -47,7 +47,7 @@ double permanent(const std::array<glm::dvec3, 3>& corners) {
 }  // namespace
 
 HomogeneousBounds homogeneous_bounds(const ViewFacts& facts, const TriangleExtent& extent,
-                                     const Vector3<double>& moved, const ZRange& z, double unit) {
+                                     const glm::dvec3& moved, const ZRange& z, double unit) {
     const CornersBeforeDivide corners(facts, extent, moved);
     const double of_six = gammas_of(unit)[6], terms = permanent(corners.largest);
     const double determinant =

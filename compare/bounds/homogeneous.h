@@ -19,6 +19,6 @@ struct HomogeneousBounds {
 /// `moved` is how far the matrices move corners along the camera's axes, `z` what is interpolated, `unit`
 /// that of the edge functions.
 HomogeneousBounds homogeneous_bounds(const ViewFacts& facts, const TriangleExtent& extent,
-                                     const Vector3<double>& moved, const ZRange& z, double unit);
+                                     const glm::dvec3& moved, const ZRange& z, double unit);
 
 }  // namespace zproof

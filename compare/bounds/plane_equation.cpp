@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "compare/bounds/depth_terms.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -15,64 +14,49 @@ constexpr double u_float32 = unit_roundoff_float32;
 constexpr PlaneEquationBounds unknown{.z_error = unlimited, .spread = 1};
 constexpr double underflow = 16 * 0x1p-126;  ///< what 16 results, flushed to zero, may lack
 
-/// A point before the divide, relative to the eye: for perspective (x, y) = depth times the place in the
-/// window.
-struct ClipPoint {
-    double x = 0, y = 0, depth = 0;
-};
-
-using ClipPolygon = std::vector<ClipPoint>;
+/// Points before the divide, relative to the eye: place in the window (for perspective times the depth), and
+/// depth as z.
+using ClipPolygon = std::vector<glm::dvec3>;
 
 /// Keeps the side where `distance` is not negative.
 template <class Distance>
 ClipPolygon clipped(const ClipPolygon& polygon, const Distance& distance) {
     ClipPolygon kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const ClipPoint &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+        const glm::dvec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
         const double at_p = distance(p), at_q = distance(q);
         if (at_p >= 0) kept.push_back(p);
         if ((at_p >= 0) == (at_q >= 0)) continue;
-        const double t = at_p / (at_p - at_q);
-        kept.push_back({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.depth + t * (q.depth - p.depth)});
+        kept.push_back(p + at_p / (at_p - at_q) * (q - p));
     }
     return kept;
 }
 
-/// Corners in window units, before the divide.
-ClipPolygon corners_before_divide(const Camera& c, const TriangleExtent& extent) {
-    ClipPolygon corners;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double depth = extent.size.depth[i];
-        corners.push_back({glm::dot(c.right, extent.v_world[i]) - c.shear.x * depth,
-                           glm::dot(c.up, extent.v_world[i]) - c.shear.y * depth, depth});
-    }
-    return corners;
-}
-
 ClipPolygon inside_window(const Camera& c, ClipPolygon polygon, const Window& w) {
     const bool perspective = c.projection == Projection::perspective;
-    const auto scale = [&](const ClipPoint& p) { return perspective ? p.depth : 1; };
-    polygon = clipped(polygon, [&](const ClipPoint& p) { return p.x - w.left * scale(p); });
-    polygon = clipped(polygon, [&](const ClipPoint& p) { return w.right * scale(p) - p.x; });
-    polygon = clipped(polygon, [&](const ClipPoint& p) { return p.y - w.bottom * scale(p); });
-    return clipped(polygon, [&](const ClipPoint& p) { return w.top * scale(p) - p.y; });
+    const auto scale = [&](const glm::dvec3& p) { return perspective ? p.z : 1; };
+    polygon = clipped(polygon, [&](const glm::dvec3& p) { return p.x - w.left * scale(p); });
+    polygon = clipped(polygon, [&](const glm::dvec3& p) { return w.right * scale(p) - p.x; });
+    polygon = clipped(polygon, [&](const glm::dvec3& p) { return p.y - w.bottom * scale(p); });
+    return clipped(polygon, [&](const glm::dvec3& p) { return w.top * scale(p) - p.y; });
 }
 
 /// A triangle that lies wholly beyond near or far is left as it is: rounding may show it, if it is close.
-ClipPolygon after_clipping(const View& view, const ClipPolygon& triangle, Clipping clipping) {
-    const Camera& c = view.camera;
-    ClipPolygon polygon = clipped(triangle, [&](const ClipPoint& p) { return p.depth - c.near_depth; });
+ClipPolygon after_clipping(const ViewFacts& facts, const TriangleExtent& extent, Clipping clipping) {
+    const Camera& c = facts.view.camera;
+    ClipPolygon triangle;
+    for (std::size_t i = 0; i < 3; ++i)
+        triangle.emplace_back(facts.before_divide(extent, i), extent.size.depth[i]);
+    ClipPolygon polygon = clipped(triangle, [&](const glm::dvec3& p) { return p.z - c.near_depth; });
     if (std::isfinite(c.far_depth))
-        polygon = clipped(polygon, [&](const ClipPoint& p) { return c.far_depth - p.depth; });
+        polygon = clipped(polygon, [&](const glm::dvec3& p) { return c.far_depth - p.z; });
     const bool is_before_eye = c.projection == Projection::parallel ||
-                               std::ranges::all_of(triangle, [](const ClipPoint& p) { return p.depth > 0; });
+                               std::ranges::all_of(triangle, [](const glm::dvec3& p) { return p.z > 0; });
     if (polygon.empty() && is_before_eye) polygon = triangle;
-    return inside_window(c, polygon, clipping == Clipping::guard_band ? guard_band_of(view) : c.window);
+    return inside_window(c, polygon, clipping == Clipping::guard_band ? guard_band_of(facts.view) : c.window);
 }
 
-struct Vector2 {
-    double x = 0, y = 0;
-};
+double length_px(const glm::dvec2& v) { return std::abs(v.x) + std::abs(v.y); }
 
 /// All triangles of three corners.
 template <class Act>
@@ -100,11 +84,11 @@ class PlaneEquation {
 
     PlaneEquationBounds bounds(const View& view) const {
         const double drift = shift_.drift_px;
-        const double around = length(e1_) + length(e2_) + length({e1_.x + e2_.x, e1_.y + e2_.y});
+        const double around = length_px(e1_) + length_px(e2_) + length_px({e1_.x + e2_.x, e1_.y + e2_.y});
         const double area = std::abs(e1_.x * e2_.y - e1_.y * e2_.x) -
-                            2 * drift * (length(e1_) + length(e2_)) - 8 * drift * drift;
+                            2 * drift * (length_px(e1_) + length_px(e2_)) - 8 * drift * drift;
         if (!(area > 0)) return unknown;
-        const Vector2 a1 = widen(e1_), a2 = widen(e2_);
+        const glm::dvec2 a1 = widen(e1_), a2 = widen(e2_);
         const double of_area = gamma(4, u_float32) * (a1.x * a2.y + a1.y * a2.x) / area;
         if (!(of_area < 1)) return unknown;
         const double lost = of_area / (1 - of_area);
@@ -118,11 +102,10 @@ class PlaneEquation {
         double area;    ///< twice it, the least that rounding leaves
         double lost;    ///< relative error of the gradients by that of the area
         double spread;  ///< see PlaneEquationBounds
-        Vector2 a1, a2;
+        glm::dvec2 a1, a2;
     };
 
-    static double length(const Vector2& v) { return std::abs(v.x) + std::abs(v.y); }
-    Vector2 widen(const Vector2& e) const {
+    glm::dvec2 widen(const glm::dvec2& e) const {
         return {std::abs(e.x) + 2 * shift_.drift_px, std::abs(e.y) + 2 * shift_.drift_px};
     }
 
@@ -154,7 +137,7 @@ class PlaneEquation {
     }
 
     CornerShift shift_;
-    Vector2 e1_, e2_;
+    glm::dvec2 e1_, e2_;
     double rise1_, rise2_, z_max_, x_max_, y_max_;
 };
 
@@ -169,7 +152,7 @@ class WeightErrors {
         }
         const auto& [p, q, r] = corners;
         const double ahead = (p.x - q.x) * (r.y - p.y), across = (p.y - q.y) * (r.x - p.x);
-        const double moved = 2 * drift_ * (length(edge_[0]) + length(edge_[2])) + 8 * drift_ * drift_;
+        const double moved = 2 * drift_ * (length_px(edge_[0]) + length_px(edge_[2])) + 8 * drift_ * drift_;
         least_area_ = form.may_vanish ? 0 : std::abs(ahead - across) - moved;
         largest_area_ = std::abs(ahead - across) + moved;
         if (!form.is_rounded()) return;
@@ -192,7 +175,7 @@ class WeightErrors {
     double edges_px() const {
         double largest = 0;
         for (std::size_t i = 0; i < 3; ++i) {
-            const double own = has_coefficients() ? of_edge_[i] : 0, slope = length(edge_[i]) - 4 * drift_;
+            const double own = has_coefficients() ? of_edge_[i] : 0, slope = length_px(edge_[i]) - 4 * drift_;
             // the third weight's error is a share of the height; beyond the edge, the others err by more
             const double others = of_two_weights(of_edge_[(i + 1) % 3] + of_edge_[(i + 2) % 3]);
             const double error =
@@ -203,18 +186,17 @@ class WeightErrors {
     }
 
   private:
-    static double length(const Vector2& v) { return v.x + v.y; }
     /// a x + b y + c: a and b have 1 rounding, c has 2; 3 more at most on the way to the sum.
     void set_coefficients(const std::array<WindowCorner, 3>& corners) {
         const auto size = [&](const WindowCorner& p) {  // y may run down or up
-            return Vector2{std::abs(p.x) + drift_,
-                           std::max(std::abs(p.y), std::abs(form_.height - p.y)) + drift_};
+            return glm::dvec2{std::abs(p.x) + drift_,
+                              std::max(std::abs(p.y), std::abs(form_.height - p.y)) + drift_};
         };
         const double rounding = gamma(4, form_.unit);
         of_area_ = 0;
         for (std::size_t i = 0; i < 3; ++i) {
-            const Vector2 from = size(corners[i]), to = size(corners[(i + 1) % 3]),
-                          opposite = size(corners[(i + 2) % 3]);
+            const glm::dvec2 from = size(corners[i]), to = size(corners[(i + 1) % 3]),
+                             opposite = size(corners[(i + 2) % 3]);
             const double a = edge_[i].y + 2 * drift_, b = edge_[i].x + 2 * drift_,
                          c = from.x * to.y + to.x * from.y;
             of_edge_[i] = rounding * (a * form_.width + b * form_.height + c);
@@ -234,7 +216,7 @@ class WeightErrors {
 
     const WeightForm& form_;
     double drift_, least_area_, largest_area_, of_area_ = 0;  ///< twice the areas
-    std::array<Vector2, 3> edge_;
+    std::array<glm::dvec2, 3> edge_;
     std::array<double, 3> of_edge_{};
 };
 
@@ -250,14 +232,13 @@ Window guard_band_of(const View& view) {
             .top = w.top + reach_v};
 }
 
-std::vector<WindowCorner> window_polygon(const View& view, const TriangleExtent& extent, Clipping clipping,
-                                         const ZRange& z) {
-    const Camera& c = view.camera;
-    const Window& w = c.window;
-    const bool perspective = c.projection == Projection::perspective;
+std::vector<WindowCorner> window_polygon(const ViewFacts& facts, const TriangleExtent& extent,
+                                         Clipping clipping, const ZRange& z) {
+    const View& view = facts.view;
+    const Window& w = view.camera.window;
     std::vector<WindowCorner> corners;
-    for (const ClipPoint& p : after_clipping(view, corners_before_divide(c, extent), clipping)) {
-        const double scale = perspective ? p.depth : 1, inverse_depth = perspective ? 1 / p.depth : -p.depth;
+    for (const glm::dvec3& p : after_clipping(facts, extent, clipping)) {
+        const double scale = facts.perspective ? p.z : 1, inverse_depth = facts.perspective ? 1 / p.z : -p.z;
         corners.push_back({(p.x / scale - w.left) / (w.right - w.left) * view.width,
                            (w.top - p.y / scale) / (w.top - w.bottom) * view.height, z.at(inverse_depth),
                            inverse_depth});

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "compare/bounds/triangle_extent.h"
+#include "compare/bounds/view_facts.h"
 #include "compare/bounds/z_range.h"
 #include "frame/precision.h"
 #include "scenes/view.h"
@@ -19,8 +19,8 @@ struct WindowCorner {
 /// The part of a triangle that depth is interpolated on, with a corner wherever clipping makes one; at most
 /// 9, in order around it, fewer than 3 where nothing is left. View volume: what lies between near and far in
 /// the window. Guard band: what lies behind near within the guard band.
-std::vector<WindowCorner> window_polygon(const View& view, const TriangleExtent& extent, Clipping clipping,
-                                         const ZRange& z);
+std::vector<WindowCorner> window_polygon(const ViewFacts& facts, const TriangleExtent& extent,
+                                         Clipping clipping, const ZRange& z);
 
 /// Clipped corners of a guard band lie within it, in x and y (Direct3D 11.3, 15.16: 16.8 coordinates).
 inline constexpr double guard_band_px = 32768;

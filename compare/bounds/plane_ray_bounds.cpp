@@ -47,8 +47,8 @@ PlaneRayBounds::PlaneRayBounds(const ViewFacts& facts, const PlaneRayPrecision& 
 TriangleBounds PlaneRayBounds::of(const ViewFacts& facts, const TriangleExtent& extent) const {
     constexpr double u = unit_roundoff_float64;
     const double corner = u * facts.scale.lateral_px(extent.size.from_eye);
-    const double inside = facts.lateral_px(glm::dvec3(plane_test_error(facts, extent, precision_)));
-    const double aim = aim_.at_depth_px(extent.largest_depth());
+    const double inside = facts.scale.lateral_px(glm::dvec3(plane_test_error(facts, extent, precision_)));
+    const double aim = aim_.at_depth_px(extent.size.largest_depth());
 
     TriangleBounds bounds;
     bounds.eps_base_px = aim + (facts.perspective ? 0 : corner + inside);

@@ -12,7 +12,6 @@ class PlaneRayBounds {
     PlaneRayBounds(const ViewFacts& facts, const PlaneRayPrecision& precision);
 
     TriangleBounds of(const ViewFacts& facts, const TriangleExtent& extent) const;
-    bool is_watertight() const { return true; }
     double background_eps_px() const { return aim_.px; }
 
   private:

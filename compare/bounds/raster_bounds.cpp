@@ -79,10 +79,6 @@ RasterBounds::RasterBounds(const ViewFacts& facts, const RasterPrecision& precis
     : precision_(precision), snap_px_(snap_of(precision)) {
     const double unit = unit_of(precision.transform);
     background_eps_px_ = snap_px_ > 0 ? snap_px_ : gammas_of(unit)[8] * window_reach_px(facts);
-    // a transform in double, into a guard band, is as coarse for one triangle as for another
-    if (precision.transform == Arithmetic::float64 && precision.clipping == Clipping::guard_band &&
-        has_plain_depth() && has_plain_coverage())
-        common_terms_ = terms(facts, transform_error(facts, 0), double_gammas[8] * guard_band_px);
 }
 
 bool RasterBounds::has_plain_coverage() const {
@@ -123,15 +119,22 @@ double RasterBounds::transform_error(const ViewFacts& facts, int cuts) const {
     return gamma(roundings + 13 * cuts, u) + facts.orthonormality;
 }
 
-RasterTerms RasterBounds::terms(const ViewFacts& facts, double transform, double viewport) const {
-    const double interpolation = has_plain_depth() ? gammas_of(precision_.interpolation)[8] : 0;
-    return {.scale = facts.scale,
-            .projection = facts.view.camera.projection,
-            .base_px = snap_px_ + viewport,
-            .transform = transform,
-            .factor = gamma(precision_.depth_roundings, unit_roundoff_float32) + interpolation,
-            .size = precision_.origin == Origin::eye ? RasterTerms::Size::from_eye
-                                                     : RasterTerms::Size::from_origin};
+const glm::dvec3& RasterBounds::transformed(const TriangleExtent& extent) const {
+    return precision_.origin == Origin::eye ? extent.size.from_eye : extent.size.from_origin;
+}
+
+TriangleBounds RasterBounds::of_corners(const ViewFacts& facts, const TriangleExtent& extent,
+                                        double transform) const {
+    const glm::dvec3& moved = transformed(extent);
+    const double lateral = transform * facts.scale.lateral_px(moved),
+                 interpolation = has_plain_depth() ? gammas_of(precision_.interpolation)[8] : 0;
+    TriangleBounds bounds;
+    bounds.eps_base_px = snap_px_ + viewport_px(facts, extent) + (facts.perspective ? 0 : lateral);
+    bounds.eps_per_inverse_depth = facts.perspective ? lateral : 0;
+    bounds.displace_depth_alike();
+    bounds.depth_factor = gamma(precision_.depth_roundings, unit_roundoff_float32) + interpolation;
+    bounds.depth_absolute = transform * moved.z;
+    return bounds;
 }
 
 double RasterBounds::reach_limit_px(const ViewFacts& facts) const {
@@ -156,11 +159,11 @@ double RasterBounds::viewport_px(const ViewFacts& facts, const TriangleExtent& e
 TriangleBounds RasterBounds::of(const ViewFacts& facts, const TriangleExtent& extent) const {
     const Gammas& gammas = gammas_of(precision_.transform);
     const double transform = transform_error(facts, counted_cuts(facts, extent));
-    TriangleBounds bounds = bounds_of(terms(facts, transform, viewport_px(facts, extent)).of(extent.size));
-    bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gammas[8] * extent.largest_depth();
+    TriangleBounds bounds = of_corners(facts, extent, transform);
+    bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gammas[8] * extent.size.largest_depth();
     if (has_plain_depth() && has_plain_coverage()) return bounds;
     const std::vector<WindowCorner> polygon =
-        window_polygon(facts.view, extent, precision_.clipping, z_range(facts.view.camera, precision_));
+        window_polygon(facts, extent, precision_.clipping, z_range(facts.view.camera, precision_));
     if (!has_plain_depth()) set_z(bounds, facts, extent, polygon, transform);
     if (!has_plain_coverage()) add_coverage(bounds, facts, extent, polygon);
     if (is_homogeneous()) add_homogeneous(bounds, facts, extent, transform);
@@ -232,9 +235,7 @@ void RasterBounds::set_z(TriangleBounds& bounds, const ViewFacts& facts, const T
     bounds.depth_eps_per_inverse_depth = spread * bounds.eps_per_inverse_depth;
     if (facts.perspective && z.matrix_factor > 0) {
         // the matrix's row of z, whose error is a share of depth times inverse depth
-        const double along =
-            precision_.origin == Origin::eye ? extent.size.from_eye.z : extent.size.from_origin.z;
-        const double row = transform * (z.matrix_factor * along + z.matrix_offset) / slope;
+        const double row = transform * (z.matrix_factor * transformed(extent).z + z.matrix_offset) / slope;
         bounds.depth_factor += spread * row;
         bounds.near_slack += row * c.near_depth;
         bounds.far_slack += std::isfinite(c.far_depth) ? row * c.far_depth : 0;
@@ -243,7 +244,7 @@ void RasterBounds::set_z(TriangleBounds& bounds, const ViewFacts& facts, const T
     bounds.depth_absolute += gammas_of_z()[6] * z.matrix_offset / slope;
     bounds.near_slack = bounds.far_slack = bounds.depth_absolute + bounds.inverse_depth_error +
                                            std::abs(bounds.inverse_depth_bias) +
-                                           gammas_of_z()[8] * extent.largest_depth();
+                                           gammas_of_z()[8] * extent.size.largest_depth();
 }
 
 void RasterBounds::add_coverage(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
@@ -296,10 +297,8 @@ void RasterBounds::add_reach_beyond_planes(TriangleBounds& bounds, const ViewFac
 
 void RasterBounds::add_homogeneous(TriangleBounds& bounds, const ViewFacts& facts,
                                    const TriangleExtent& extent, double transform) const {
-    const TriangleSize& size = extent.size;
-    const Vector3<double>& from = precision_.origin == Origin::eye ? size.from_eye : size.from_origin;
     const HomogeneousBounds own =
-        homogeneous_bounds(facts, extent, {transform * from.x, transform * from.y, transform * from.z},
+        homogeneous_bounds(facts, extent, transform * transformed(extent),
                            z_range(facts.view.camera, precision_), unit_of(precision_.edge_arithmetic));
     bounds.edge_rounding_px = own.edges_px;
     bounds.eps_base_px += std::ranges::max(own.edges_px);

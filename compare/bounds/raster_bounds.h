@@ -1,7 +1,6 @@
 /// The bounds of a z-buffer rasterizer (docs/bounds.md, "A rasterizer" and "A z-buffer").
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "compare/bounds/depth_bound.h"
@@ -19,11 +18,8 @@ class RasterBounds {
     RasterBounds(const ViewFacts& facts, const RasterPrecision& precision);
 
     TriangleBounds of(const ViewFacts& facts, const TriangleExtent& extent) const;
-    /// The terms of every triangle's depth, where nothing of them depends on the triangle but its size.
-    const std::optional<RasterTerms>& common_terms() const { return common_terms_; }
     bool keeps_to_corners() const;
     bool is_homogeneous() const;
-    bool is_watertight() const { return precision_.watertight; }
     bool clips_at_sides() const { return precision_.clipping == Clipping::view_volume && !is_homogeneous(); }
     bool shows_what_it_compares() const { return precision_.shown_depth == ShownDepth::buffer; }
     /// What turning z into a depth costs, in inverse depth.
@@ -37,7 +33,10 @@ class RasterBounds {
     int counted_cuts(const ViewFacts& facts, const TriangleExtent& extent) const;
     double viewport_px(const ViewFacts& facts, const TriangleExtent& extent) const;
     double transform_error(const ViewFacts& facts, int cuts) const;
-    RasterTerms terms(const ViewFacts& facts, double transform, double viewport) const;
+    /// The size of what is transformed.
+    const glm::dvec3& transformed(const TriangleExtent& extent) const;
+    /// What transform and viewport move corners by, and what rounds their depths.
+    TriangleBounds of_corners(const ViewFacts& facts, const TriangleExtent& extent, double transform) const;
     double reach_limit_px(const ViewFacts& facts) const;
     /// Replaces the terms of interpolated depth by those of z. `transform` is the matrices' error.
     void set_z(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
@@ -71,7 +70,6 @@ class RasterBounds {
     RasterPrecision precision_;
     double snap_px_;  ///< how far the grid moves a corner
     double background_eps_px_;
-    std::optional<RasterTerms> common_terms_;
 };
 
 }  // namespace zproof

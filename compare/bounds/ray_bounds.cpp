@@ -100,16 +100,35 @@ RayBounds::RayBounds(const ViewFacts& facts, const RayPrecision& precision)
       unit_(unit_of(precision.arithmetic)),
       aim_(facts, precision.direction_roundings == 1 ? unit_ : gamma(precision.direction_roundings, unit_),
            unit_, precision.aim_offset_px),
-      terms_{.scale = facts.scale,
-             .projection = facts.view.camera.projection,
-             .unit = unit_,
-             .of_products = gammas_of(unit_)[8],
-             .factor = gammas_of(unit_)[4] + aim_.depth_relative,
-             .aim_px = aim_.px,
-             .aim_px_per_depth = aim_.px_per_depth,
-             .aim_absolute = aim_.depth_absolute,
-             .start = facts.start} {
-    terms_.aim_absolute += depth_of_range(facts.view.camera, precision.depth_of_range);
+      depth_absolute_(aim_.depth_absolute + depth_of_range(facts.view.camera, precision.depth_of_range)) {}
+
+TriangleBounds RayBounds::on_plane(const ViewFacts& facts, const TriangleSize& size) const {
+    // a corner is rounded once when the origin is subtracted
+    const double corner = unit_ * facts.scale.lateral_px(size.from_eye),
+                 aim = aim_.at_depth_px(size.largest_depth());
+    // 8 roundings in each product (3 of the dot, 5 of n), 4 of the reciprocal and the product; unlimited
+    // where the plane holds the origin, but for zeros that no rounding can change
+    const double where_edge_on = size.plane.volume_abs > 0 ? unlimited : 0;
+    const auto over_volume = [&](double sum_abs) {
+        return size.plane.volume > 0 ? gammas_of(unit_)[8] * sum_abs / size.plane.volume : where_edge_on;
+    };
+    const double factor = gammas_of(unit_)[4] + aim_.depth_relative,
+                 volume_factor = over_volume(size.plane.volume_abs),
+                 numerator_error = over_volume(size.plane.numerator_abs);
+    // what is off by a share is the distance from the start; adding that rounds once more
+    const double start = facts.start,
+                 of_start = start > 0 ? start * compounded(factor + volume_factor + unit_) : 0;
+    TriangleBounds bounds;
+    bounds.eps_base_px = facts.perspective ? aim : aim + corner;
+    bounds.eps_per_inverse_depth = facts.perspective ? corner : 0;
+    bounds.displace_depth_alike();
+    bounds.depth_factor = factor + volume_factor + (start > 0 ? unit_ : 0);
+    bounds.depth_absolute = unit_ * size.from_eye.z + depth_absolute_;
+    if (facts.perspective)
+        bounds.plane_offset = numerator_error;
+    else
+        bounds.depth_absolute += numerator_error * (1 + compounded(volume_factor)) + of_start;
+    return bounds;
 }
 
 /// Frames hold float32: a wider depth is rounded once more on its way there.
@@ -117,25 +136,17 @@ double RayBounds::framing() const {
     return precision_.arithmetic == Arithmetic::float64 ? unit_roundoff_float32 : 0;
 }
 
-std::optional<DepthTerms> RayBounds::quick_depth_terms(const TriangleExtent& extent) const {
-    if (!has_depth_of_distance() || precision_.world_absolute > 0 || precision_.test == RayTest::woop)
-        return std::nullopt;
-    DepthTerms terms = terms_.of(extent.size);
-    terms.factor += framing();
-    return terms;
-}
-
 TriangleBounds RayBounds::of(const ViewFacts& facts, const TriangleExtent& extent) const {
     TriangleSize size = extent.size;
     if (precision_.world_absolute > 0)
         size.plane.volume =
             std::max(0.0, size.plane.volume - volume_moved_by(precision_.world_absolute, facts, extent));
-    TriangleBounds bounds = bounds_of(terms_.of(size));
+    TriangleBounds bounds = on_plane(facts, size);
     if (precision_.test == RayTest::woop && precision_.hit_point == HitPoint::distance)
         (facts.perspective ? bounds.depth_factor : bounds.depth_absolute) +=
             (1 + 3 * precision_.barycentric_tolerance) * sheared_mean_error(facts, extent, unit_);
     bounds.weight_tolerance = precision_.barycentric_tolerance;
-    const double aim = aim_.at_depth_px(extent.largest_depth());
+    const double aim = aim_.at_depth_px(size.largest_depth());
     const double corners = corners_px_times_depth(facts, extent) + tolerance_px_times_depth(facts, extent);
     bounds.edge_rounding_px = edges_px(facts, extent);
     const double edges = std::ranges::max(bounds.edge_rounding_px);
@@ -215,7 +226,7 @@ void RayBounds::add_world_error(TriangleBounds& bounds, const ViewFacts& facts) 
     // three weights down to minus the tolerance add up to so much in absolute value
     const double error = precision_.world_absolute * (1 + 6 * precision_.barycentric_tolerance);
     const auto along = [&](const glm::dvec3& axis) { return error * sum_abs(axis); };
-    const double lateral = facts.lateral_px({along(c.right), along(c.up), along(c.back)});
+    const double lateral = facts.scale.lateral_px({along(c.right), along(c.up), along(c.back)});
     (facts.perspective ? bounds.eps_per_inverse_depth : bounds.eps_base_px) += lateral;
     (facts.perspective ? bounds.depth_eps_per_inverse_depth : bounds.depth_eps_base_px) += lateral;
     bounds.depth_absolute += along(c.back);
@@ -225,7 +236,7 @@ void RayBounds::add_world_error(TriangleBounds& bounds, const ViewFacts& facts) 
 bool RayBounds::may_be_missed(const ViewFacts& facts, const TriangleExtent& extent) const {
     if (precision_.least_determinant == 0) return false;
     const double length = glm::length(facts.direction_abs), rounding = gammas_of(unit_)[8];
-    const double depth = facts.perspective ? extent.largest_depth() : 1;
+    const double depth = facts.perspective ? extent.size.largest_depth() : 1;
     const double terms = extent.size.plane.numerator_abs * rounding;
     const double least = (extent.size.plane.volume / depth - (facts.perspective ? terms : 0)) / length;
     return !(least >= precision_.least_determinant);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 
 #include "compare/bounds/aim.h"
 #include "compare/bounds/triangle_bounds.h"
@@ -19,14 +18,13 @@ class RayBounds {
     RayBounds(const ViewFacts& facts, const RayPrecision& precision);
 
     TriangleBounds of(const ViewFacts& facts, const TriangleExtent& extent) const;
-    /// What depth needs, where it is known without the rest.
-    std::optional<DepthTerms> quick_depth_terms(const TriangleExtent& extent) const;
-    bool is_watertight() const { return precision_.watertight; }
     /// Is the depth that is shown the distance that was compared?
     bool has_depth_of_distance() const { return precision_.hit_point == HitPoint::distance; }
     double background_eps_px() const { return aim_.px; }
 
   private:
+    /// Where rays of this aim meet the plane of a triangle of that size, by t = (v0 . n) / (d . n).
+    TriangleBounds on_plane(const ViewFacts& facts, const TriangleSize& size) const;
     std::array<double, 3> edges_px(const ViewFacts& facts, const TriangleExtent& extent) const;
     /// What the triangle's rounded corners move in the image, px times depth.
     double corners_px_times_depth(const ViewFacts& facts, const TriangleExtent& extent) const;
@@ -39,7 +37,7 @@ class RayBounds {
     RayPrecision precision_;
     double unit_;
     Aim aim_;
-    RayTerms terms_;
+    double depth_absolute_;  ///< scene units: of the aim, and the share of far - near
 };
 
 }  // namespace zproof

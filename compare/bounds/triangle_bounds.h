@@ -53,10 +53,10 @@ struct TriangleBounds : TriangleLimits {
     /// The bounds at a place where inverse depth is `inverse_depth` and changes by `gradient` (|d/dx| +
     /// |d/dy|) per pixel.
     LocalBounds at(double inverse_depth, double gradient) const;
-    DepthTerms depth_terms() const {
-        return {depth_eps_base_px, depth_eps_per_inverse_depth, depth_factor,
-                depth_absolute,    inverse_depth_error,         plane_offset,
-                depth_share,       inverse_depth_bias};
+    /// Displaces the place of depth as far as coverage.
+    void displace_depth_alike() {
+        depth_eps_base_px = eps_base_px;
+        depth_eps_per_inverse_depth = eps_per_inverse_depth;
     }
 };
 
@@ -64,27 +64,24 @@ struct TriangleBounds : TriangleLimits {
 /// once.
 class BoundsOnPlane {
   public:
+    BoundsOnPlane() = default;
     BoundsOnPlane(const TriangleBounds& bounds, double gradient);
 
     LocalBounds at(double inverse_depth) const {
-        const double here = std::clamp(inverse_depth, corners_.least, corners_.highest);
-        return {.eps_px = eps_px_.at(here),
-                .depth_eps_px = depth_eps_px_.at(here),
-                .depth_relative =
-                    plane_offset_ > 0 ? compounded(depth_factor_ + plane_offset_ / here) : depth_relative_,
-                .depth_absolute = depth_absolute_,
-                .inverse_depth_error = inverse_depth_error_,
-                .inverse_depth_bias = inverse_depth_bias_};
+        const double here = held_between(inverse_depth, corners_.least, corners_.highest);
+        LocalBounds local = everywhere_;
+        local.eps_px = eps_px_.at(here);
+        local.depth_eps_px = depth_eps_px_.at(here);
+        const double offset = plane_offset_ / here;
+        local.depth_relative = compounded(depth_factor_ + (plane_offset_ > 0 ? offset : 0)) + depth_share_;
+        return local;
     }
 
   private:
     CornerInverseDepth corners_;
     Displacement eps_px_, depth_eps_px_;
-    double depth_factor_, plane_offset_, depth_relative_, depth_absolute_, inverse_depth_error_,
-        inverse_depth_bias_;
+    double depth_factor_ = 0, depth_share_ = 0, plane_offset_ = 0;
+    LocalBounds everywhere_;  ///< what is the same at all places
 };
-
-/// Bounds of which only depth's terms are known; coverage is displaced as far as depth.
-TriangleBounds bounds_of(const DepthTerms& terms);
 
 }  // namespace zproof

@@ -34,7 +34,7 @@ class TriangleDepth {
     Projection projection() const { return projection_; }
 
     /// The admissible interval at a pixel.
-    DepthBound at(int x, int y) const { return rounded(range_at(x, y)); }
+    DepthBound at(int x, int y) const;
     /// Does the interval hold this depth by more than our own rounding?
     bool certainly_holds(const DepthBound& bound, float depth) const {
         if (!(bound.high < unlimited)) return false;
@@ -43,30 +43,17 @@ class TriangleDepth {
         return perspective ? holds<Projection::perspective>(bound, depth, error)
                            : holds<Projection::parallel>(bound, depth, error);
     }
-
-    /// Is the relative error of depth the same all over the triangle?
-    enum class Relative { constant, by_inverse_depth };
-    Relative relative() const { return plane_offset_ > 0 ? Relative::by_inverse_depth : Relative::constant; }
-    struct CertainError {
-        double over_bound;  ///< error / bound; -1 where double does not hold the depth admissible for certain
-        double room;        ///< depths that differ from this one by no more are certainly admissible, too
-    };
-    /// The triangle must have a plane. Computes without branches.
-    template <Projection projection, Relative relative>
-    CertainError certain_error(double x, double y, float depth) const {
-        const UnroundedDepth range = on_plane<projection, relative>(x, y);
-        const DepthBound bound{widened_low(range), range.truth, widened_high(range)};
-        const bool is_certain = is_bounded(range.relative + absolute_ + inverse_depth_error_) &
-                                (range.relative >= 0) & (range.truth < unlimited) &
+    /// Error / bound at a pixel; -1 where double does not hold the depth admissible for certain. The triangle
+    /// must have a plane. Computes without branches, so that the compiler does several pixels at a time.
+    template <Projection projection>
+    double certain_error(double x, double y, float depth) const {
+        const DepthBound bound = rounded(on_plane<projection>(x, y));
+        const bool is_certain = (bound.high < unlimited) & (bound.truth < unlimited) &
                                 holds<projection>(bound, depth, own_error_);
         const double error = std::abs(depth - bound.truth), below = bound.truth - bound.low,
                      above = bound.high - bound.truth;
         const double share = error / (depth < bound.truth ? below : above);
-        const double most = bound.high < unlimited ? bound.high : 0;
-        const double width = (below < above ? below : above) - 2 * unsure_of<projection>(most, own_error_),
-                     room = width - error;  // nor is a depth below 0 ever certain
-        return {is_certain ? (error > 0 ? share : 0) : -1,
-                is_certain ? (room < depth ? room : double(depth)) : -1};
+        return is_certain ? (error > 0 ? share : 0) : -1;
     }
 
   private:
@@ -76,48 +63,30 @@ class TriangleDepth {
         const double reciprocal = 1 / inverse_depth;
         return inverse_depth > 0 ? reciprocal : unlimited;
     }
-    static double held_between(double a, double low, double high) {
-        const double raised = a < low ? low : a;
-        return high < raised ? high : raised;
-    }
-    /// compounded(), but where that is unlimited: there it is none that is_bounded() takes, so that no branch
-    /// is needed.
-    template <Relative relative>
-    double relative_at(double inverse_depth) const {
-        if constexpr (relative == Relative::constant) return relative_;
-        const double sum = factor_ + plane_offset_ / inverse_depth;
-        return sum / (1 - sum);
-    }
-    static bool is_bounded(double relative) { return (relative >= 0) & (relative < unlimited); }
-    /// Depths before rounding, and its relative error.
+    /// Depths before rounding, and the bounds of that.
     struct UnroundedDepth {
-        double low, truth, high, relative;
+        double low, truth, high;
+        LocalBounds local;
     };
-    double widened_low(const UnroundedDepth& range) const {
-        return range.low - std::abs(range.low) * range.relative - absolute_;
-    }
-    double widened_high(const UnroundedDepth& range) const {
-        return range.high + std::abs(range.high) * range.relative + absolute_;
-    }
-    DepthBound rounded(const UnroundedDepth& range) const {
-        const bool is_bounded_here =
-            is_bounded(range.relative) && absolute_ + inverse_depth_error_ < unlimited;
-        if (!is_bounded_here) return {0, range.truth, unlimited};
+    static DepthBound rounded(const UnroundedDepth& range) {
+        const double r = range.local.depth_relative, a = range.local.depth_absolute;
+        const bool is_bounded = r + a + range.local.inverse_depth_error < unlimited;
+        const double low = range.low - std::abs(range.low) * r - a,
+                     high = range.high + std::abs(range.high) * r + a;
         // beyond the plane's horizon no depth is near enough
-        return {std::isinf(range.low) ? range.low : widened_low(range), range.truth, widened_high(range)};
+        const double low_or_none = std::isinf(range.low) ? range.low : low;
+        return {is_bounded ? low_or_none : 0, range.truth, is_bounded ? high : unlimited};
     }
-    template <Projection projection, Relative relative>
+    template <Projection projection>
     UnroundedDepth on_plane(double x, double y) const {
-        const double inverse_depth = inverse_depth_.at(x, y),
-                     here = held_between(inverse_depth, corners_.least, corners_.highest);
-        const double shift = eps_px_.at(here) * gradient_ + inverse_depth_error_;
-        const double middle = inverse_depth + inverse_depth_bias_;
+        const double inverse_depth = inverse_depth_.at(x, y);
+        const LocalBounds local = bounds_.at(inverse_depth);
+        const double shift = local.depth_eps_px * gradient_ + local.inverse_depth_error,
+                     middle = inverse_depth + local.inverse_depth_bias;
         const double low = held_between(depth_of<projection>(middle + shift), least_depth_, greatest_depth_),
                      high = held_between(depth_of<projection>(middle - shift), least_depth_, greatest_depth_);
-        return {low, held_between(depth_of<projection>(inverse_depth), low, high), high,
-                relative_at<relative>(here)};
+        return {low, held_between(depth_of<projection>(inverse_depth), low, high), high, local};
     }
-    UnroundedDepth range_at(double x, double y) const;
     /// What a limit near the depth h >= 0 may be off by, with our own rounding. An error g of inverse depth
     /// is one of g h / (1 - g h) in the depth h: at most 2 g h^2, or the depth is not held.
     template <Projection projection>
@@ -134,10 +103,7 @@ class TriangleDepth {
 
     Affine<double> inverse_depth_{0, 0, 0};
     double gradient_ = 0, own_error_ = 0;
-    CornerInverseDepth corners_;
-    Displacement eps_px_;
-    double factor_ = 0, plane_offset_ = 0, relative_ = 0, absolute_ = 0, inverse_depth_error_ = 0,
-           inverse_depth_bias_ = 0;
+    BoundsOnPlane bounds_;
     double nearest_ = 0, farthest_ = 0;            ///< camera depths of the corners
     double least_depth_ = 0, greatest_depth_ = 0;  ///< the same, where the renderer keeps to them
     Projection projection_ = Projection::perspective;

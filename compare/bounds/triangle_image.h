@@ -46,27 +46,12 @@ Affine<Number> edge_between(const ViewRay<Number>& ray, const Vector3<Number>& v
     return perspective_functional(ray, cross(v1, v2));
 }
 
-/// The edges between corners, before they are oriented: edge i is opposite corner i.
-template <class Number>
-std::array<Affine<Number>, 3> edges_between(const ViewRay<Number>& ray, const Vector3<Number>& v0,
-                                            const Vector3<Number>& v1, const Vector3<Number>& v2) {
-    return {edge_between(ray, v1, v2), edge_between(ray, v2, v0), edge_between(ray, v0, v1)};
-}
-
-template <class Number>
-TriangleImage<Number> oriented(TriangleImage<Number> image, int orientation) {
-    if (orientation < 0)
-        for (auto& edge : image.edge) edge = -edge;
-    return image;
-}
-
 }  // namespace detail
 
-/// The inverse depth functional before its division: the plane holds the view ray's origin (perspective) or
-/// direction (parallel) where the divisor is 0.
+/// The inverse depth functional times a divisor, whose sign says which way round the edges run.
 template <class Number>
 struct ScaledInverseDepth {
-    Number divisor;
+    Number divisor;  ///< 0 where the plane holds the view ray's origin (perspective) or direction (parallel)
     Affine<Number> scaled;
 };
 
@@ -76,8 +61,7 @@ ScaledInverseDepth<Number> scaled_inverse_depth(const ViewRay<Number>& ray, cons
     const Vector3<Number> normal = cross((p_world[1] - ray.origin) - v0, (p_world[2] - ray.origin) - v0);
     if (ray.projection == Projection::perspective)
         return {dot(v0, normal), detail::perspective_functional(ray, normal)};
-    return {-dot(normal, ray.direction),
-            {-dot(normal, ray.step_x), -dot(normal, ray.step_y), dot(normal, v0)}};
+    return {dot(normal, ray.direction), {dot(normal, ray.step_x), dot(normal, ray.step_y), -dot(normal, v0)}};
 }
 
 /// The inverse depth of image_of() and nothing else, in the same bits.
@@ -88,36 +72,27 @@ std::optional<Affine<Number>> inverse_depth_of(const ViewRay<Number>& ray, const
     return (Number(1) / plane.divisor) * plane.scaled;
 }
 
-/// A triangle's edges before they are oriented: a point at which two have different signs lies outside.
+/// A triangle's edges before they are oriented, edge i opposite corner i: a point at which two have different
+/// signs lies outside.
 template <class Number>
 std::array<Affine<Number>, 3> edges_of(const ViewRay<Number>& ray, const Corners<Number>& p_world) {
-    return detail::edges_between(ray, p_world[0] - ray.origin, p_world[1] - ray.origin,
-                                 p_world[2] - ray.origin);
+    const Vector3<Number> v0 = p_world[0] - ray.origin, v1 = p_world[1] - ray.origin,
+                          v2 = p_world[2] - ray.origin;
+    return {detail::edge_between(ray, v1, v2), detail::edge_between(ray, v2, v0),
+            detail::edge_between(ray, v0, v1)};
 }
 
 /// The image of a triangle, or nothing where its plane holds the view ray's origin (perspective) or
 /// direction (parallel): seen exactly edge-on it covers no area.
 template <class Number>
 std::optional<TriangleImage<Number>> image_of(const ViewRay<Number>& ray, const Corners<Number>& p_world) {
-    const Vector3<Number> v0 = p_world[0] - ray.origin, v1 = p_world[1] - ray.origin,
-                          v2 = p_world[2] - ray.origin;
-    const Vector3<Number> normal = cross(v1 - v0, v2 - v0);
-    TriangleImage<Number> image;
-    if (ray.projection == Projection::perspective) {
-        const Number volume = dot(v0, normal);
-        const int orientation = sign(volume);
-        if (orientation == 0) return std::nullopt;
-        image.edge = detail::edges_between(ray, v0, v1, v2);
-        image.inverse_depth = (Number(1) / volume) * detail::perspective_functional(ray, normal);
-        return detail::oriented(image, orientation);
-    }
-    const Number facing = dot(normal, ray.direction);
-    const int orientation = sign(facing);
+    const ScaledInverseDepth<Number> plane = scaled_inverse_depth(ray, p_world);
+    const int orientation = sign(plane.divisor);
     if (orientation == 0) return std::nullopt;
-    image.edge = detail::edges_between(ray, v0, v1, v2);
-    image.inverse_depth = (Number(-1) / facing) *
-                          Affine<Number>{-dot(normal, ray.step_x), -dot(normal, ray.step_y), dot(normal, v0)};
-    return detail::oriented(image, orientation);
+    TriangleImage<Number> image{edges_of(ray, p_world), (Number(1) / plane.divisor) * plane.scaled};
+    if (orientation < 0)
+        for (auto& edge : image.edge) edge = -edge;
+    return image;
 }
 
 }  // namespace zproof

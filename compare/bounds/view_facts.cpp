@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/rounding.h"
+#include "compare/bounds/roundings.h"
 
 namespace zproof {
 
@@ -16,19 +16,6 @@ double largest_defect(const Camera& camera) {
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) defect = std::max(defect, std::abs(gram[i][j] - (i == j)));
     return defect + gamma(4, unit_roundoff_float64);
-}
-
-Gauge gauge_of(const Camera& c, const glm::dvec3& direction_abs, const glm::dvec3& origin_abs) {
-    const glm::dvec3 eye(c.eye_world);
-    const auto all = [](const glm::dvec3& v) { return exactly<double>(v); };
-    return {.projection = c.projection,
-            .eye = all(eye),
-            .eye_abs = all(glm::abs(eye)),
-            .back = all(c.back),
-            .axes_abs = {all(glm::abs(c.right)), all(glm::abs(c.up)), all(glm::abs(c.back))},
-            .direction = all(c.shear.x * c.right + c.shear.y * c.up - c.back),
-            .direction_abs = all(direction_abs),
-            .origin_abs = all(origin_abs)};
 }
 
 }  // namespace
@@ -51,14 +38,38 @@ ViewFacts::ViewFacts(const View& of_view)
                      : largest_u * glm::abs(c.right) + largest_v * glm::abs(c.up) + start * direction_abs;
     right_per_px = 1 / scale.px_per_u * c.right;
     up_per_px = 1 / scale.px_per_v * c.up;
-    gauge = gauge_of(c, direction_abs, origin_abs);
 }
 
 TriangleExtent ViewFacts::extent_of(const CornersWorld& p_world) const {
-    const glm::dvec3 p[] = {glm::dvec3(p_world[0]), glm::dvec3(p_world[1]), glm::dvec3(p_world[2])};
-    const glm::dvec3 eye(view.camera.eye_world);
-    return {{p[0] - eye, p[1] - eye, p[2] - eye},
-            gauge({exactly<double>(p[0]), exactly<double>(p[1]), exactly<double>(p[2])})};
+    const Camera& c = view.camera;
+    const glm::dvec3 eye(c.eye_world);
+    const glm::dvec3 eye_abs = abs(eye), right_abs = abs(c.right), up_abs = abs(c.up), back_abs = abs(c.back);
+    const auto along_axes = [&](const glm::dvec3& v) {
+        return glm::dvec3(dot(right_abs, v), dot(up_abs, v), dot(back_abs, v));
+    };
+    TriangleExtent extent;
+    TriangleSize& size = extent.size;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 p(p_world[i]), v = p - eye;
+        extent.v_world[i] = v;
+        size.depth[i] = -dot(c.back, v);
+        size.from_eye = max(size.from_eye, along_axes(abs(v) + origin_abs));
+        size.from_origin = max(size.from_origin, along_axes(abs(p) + eye_abs));
+    }
+    size.plane = plane_size(extent.v_world[0], p_world);
+    return extent;
+}
+
+PlaneSize ViewFacts::plane_size(const glm::dvec3& v0, const CornersWorld& p_world) const {
+    const glm::dvec3 p0(p_world[0]), e1 = glm::dvec3(p_world[1]) - p0, e2 = glm::dvec3(p_world[2]) - p0,
+                                     normal = cross(e1, e2);
+    const glm::dvec3 normal_abs = abs_cross(e1, e2) + abs_cross(e1, e2 - e1) + abs_cross(e2, e2 - e1);
+    const double from_corner = dot(abs(v0) + origin_abs, normal_abs),
+                 along_ray = dot(direction_abs, normal_abs);
+    if (perspective) return {std::abs(dot(v0, normal)), from_corner, along_ray, 0};
+    const glm::dvec3 eye_abs = abs(glm::dvec3(view.camera.eye_world));
+    return {std::abs(dot(direction(), normal)), along_ray, from_corner,
+            gamma(6, unit_roundoff_float64) * dot(eye_abs + origin_abs, normal_abs)};
 }
 
 double ViewFacts::distance_px(double error, const glm::dvec3& moment) const {

@@ -16,10 +16,6 @@ struct ViewFacts {
     explicit ViewFacts(const View& view);
 
     TriangleExtent extent_of(const CornersWorld& p_world) const;
-    /// Largest displacement in the image, px times depth, of errors along the camera's axes.
-    double lateral_px(const glm::dvec3& camera_abs) const {
-        return scale.lateral_px(exactly<double>(camera_abs));
-    }
     /// The error of a functional moment . direction as a distance in the image, px.
     double distance_px(double error, const glm::dvec3& moment) const;
     /// What all rays of a parallel projection advance by, for one unit of depth.
@@ -39,7 +35,9 @@ struct ViewFacts {
     double start;           ///< parallel: how far behind the eye rays start, on the near plane; else 0
     glm::dvec3 origin_abs;  ///< per world axis, the largest |origin - eye|
     double orthonormality;  ///< largest entry of |R R^T - I|
-    Gauge gauge;
+
+  private:
+    PlaneSize plane_size(const glm::dvec3& v0, const CornersWorld& p_world) const;
 };
 
 }  // namespace zproof

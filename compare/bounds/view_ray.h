@@ -47,14 +47,10 @@ class ViewRays {
     ViewRay<Number> at(int pixel_x, int pixel_y) const {
         ViewRay<Number> ray = common_;
         if (ray.projection == Projection::perspective)
-            ray.direction = direction_at(pixel_x, pixel_y);
+            ray.direction = on_plane(pixel_x, pixel_y) - back_;
         else
             ray.origin = ray.origin + on_plane(pixel_x, pixel_y);
         return ray;
-    }
-    /// The ray's direction in a perspective.
-    Vector3<Number> direction_at(int pixel_x, int pixel_y) const {
-        return on_plane(pixel_x, pixel_y) - back_;
     }
 
   private:

@@ -13,23 +13,24 @@ namespace zproof {
 struct WindowTriangle {
     std::array<glm::dvec2, 3> corner_px;  ///< relative to the window's upper left corner
 
-    /// The largest distance of a corner from the edge opposite, as the half-side of a square.
-    double largest_height_px() const {
-        double least_edge = HUGE_VAL;
+    /// |dx| + |dy| of each edge.
+    std::array<double, 3> edges_px() const {
+        std::array<double, 3> lengths;
         for (std::size_t i = 0; i < 3; ++i) {
             const glm::dvec2 edge = glm::abs(corner_px[(i + 1) % 3] - corner_px[i]);
-            least_edge = std::min(least_edge, edge.x + edge.y);
+            lengths[i] = edge.x + edge.y;
         }
+        return lengths;
+    }
+    /// The largest distance of a corner from the edge opposite, as the half-side of a square.
+    double largest_height_px() const {
+        const double least_edge = std::ranges::min(edges_px());
         return least_edge > 0 ? twice_area_px2() / least_edge : 0;
     }
     /// What is left of its area at least when each corner moves by drift_px in x and in y.
     double least_area_px2(double drift_px) const {
-        double around = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const glm::dvec2 edge = glm::abs(corner_px[(i + 1) % 3] - corner_px[i]);
-            around += edge.x + edge.y;
-        }
-        return twice_area_px2() / 2 - drift_px * around - 4 * drift_px * drift_px;
+        const auto [a, b, c] = edges_px();
+        return twice_area_px2() / 2 - drift_px * (a + b + c) - 4 * drift_px * drift_px;
     }
     double twice_area_px2() const {
         const glm::dvec2 a = corner_px[1] - corner_px[0], b = corner_px[2] - corner_px[0];

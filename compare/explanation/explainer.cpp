@@ -16,9 +16,6 @@ namespace {
 
 constexpr double unmeasured = std::numeric_limits<double>::quiet_NaN();
 
-/// The number of pairs remembered at one pixel.
-constexpr std::size_t explained_coplanar_pairs = 64;
-
 std::array<double, 3> edge_distances(const ViewRay<double>& ray, const CornersWorld& p_world) {
     const auto image = image_of(ray, corners<double>(p_world));
     std::array<double, 3> distance{unmeasured, unmeasured, unmeasured};
@@ -30,8 +27,8 @@ std::array<double, 3> edge_distances(const ViewRay<double>& ray, const CornersWo
 }
 
 /// Takes what a decision among so many takes at least, too: to bound four neighbours is worth a cut.
-Decision decide_within(Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar) {
-    const Decision decision = decide(around, answer, coplanar);
+Decision decide_within(Neighbourhood& around, PrimitiveId answer) {
+    const Decision decision = decide(around, answer);
     around.most_work -= std::min(around.most_work, decision.work + around.neighbours.size() / 4);
     return decision;
 }
@@ -99,13 +96,12 @@ void Explainer::finish(PixelExplanation& explanation, const SearchPixel& search_
     Neighbourhood around =
         neighbourhood_of(scene, view, candidate.bounds, search_pixel, search_pixel.reach_px);
     around.eps_px = search_pixel.reach_px;
-    CoplanarCache coplanar(explained_coplanar_pairs);
     around.most_work = most_work;
-    explanation.background = decide_within(around, PrimitiveId::none, coplanar);
+    explanation.background = decide_within(around, PrimitiveId::none);
     std::vector<Candidate> near = undecided_candidates(view, candidate.shown_bounds, around);
     const auto ask = [&](Candidate& c) {
         if (around.most_work == 0) return false;
-        c.decision = decide_within(around, c.primitive, coplanar);
+        c.decision = decide_within(around, c.primitive);
         return true;
     };
     const auto unasked = std::ranges::find_if_not(near, ask);

@@ -192,12 +192,11 @@ TEST(Adjudicator, DecidesAsAmongAllTrianglesOfTheScene) {
         for (std::size_t i = 0; i < decided.size(); ++i) {
             const PixelQuery& query = crowd.queries[i];
             const Neighbourhood around = crowd.around(query);
-            CoplanarCache coplanar(16);
-            const Decision expected = decide(around, query.answer, coplanar);
+            const Decision expected = decide(around, query.answer);
             ASSERT_EQ(decided[i].decision.admissibility, expected.admissibility) << i;
             ASSERT_EQ(decided[i].decision.eps_px, expected.eps_px) << i;
             const Neighbourhood all = crowd.all_within(query, expected.eps_px);
-            const Admissibility among_all = decide(all, query.answer, coplanar).admissibility;
+            const Admissibility among_all = decide(all, query.answer).admissibility;
             ASSERT_EQ(but_for_clipping(among_all), but_for_clipping(expected.admissibility)) << i;
             const bool is_visible = expected.admissibility == Admissibility::visible;
             ASSERT_EQ(decided[i].displacement_over_eps,

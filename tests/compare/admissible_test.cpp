@@ -62,10 +62,9 @@ TEST(AdmissibleSet, AgreesWithBruteForceOnRandomAndHardSurroundings) {
         const std::size_t count = s.around.neighbours.size();
         const std::vector<bool> flags = edge_on(s.around);
         const brute_force::Picture plain(s.around);
-        CoplanarCache memory(16);
-        AdmissibleSet<Rational> exact(s.around, memory);
-        AdmissibleSet<LazyRational> lazy(s.around, memory);
-        AdmissibleSet<Interval> fast(s.around, memory);
+        AdmissibleSet<Rational> exact(s.around);
+        AdmissibleSet<LazyRational> lazy(s.around);
+        AdmissibleSet<Interval> fast(s.around);
         const auto expected = questions_for(plain, count, flags),
                    of_exact = questions_for(exact, count, flags), of_lazy = questions_for(lazy, count, flags),
                    of_fast = questions_for(fast, count, flags);

@@ -9,7 +9,6 @@
 
 #include "compare/adjudicate/unproven_pixels.h"
 #include "compare/agree/depth_errors.h"
-#include "compare/agree/row_counts.h"
 #include "random_surroundings.h"
 #include "test_scene.h"
 

@@ -11,8 +11,7 @@ namespace zproof {
 
 /// What displacement_of() should find. A triangle must be a neighbour.
 inline std::optional<double> bisected_displacement(const Neighbourhood& around, PrimitiveId answer) {
-    CoplanarCache coplanar(16);
-    AdmissibleSet<double> set(around, coplanar);
+    AdmissibleSet<double> set(around);
     const auto is_seen = [&](int step) {
         set.set_half_side(around.eps_px * step / displacement_steps);
         return answer == PrimitiveId::none ? set.holds_background(EdgeRule::watertight)

@@ -40,14 +40,13 @@ class Comparison {
 
     void ask(const OnePixel& pixel, PrimitiveId answer) {
         const Neighbourhood around = pixel.around(answer);
-        CoplanarCache memory(16);
-        const ConservativeTest test(around, answer, memory);
+        const ConservativeTest test(around, answer);
         const auto index = around.index_of(answer);
         ASSERT_TRUE(index || answer == PrimitiveId::none);
-        AdmissibleSet<Rational> set(around, memory);
+        AdmissibleSet<Rational> set(around);
         ask_for_word(test, word_for(set, around.neighbours.size(), index));
         ask_whether_seen(test, set, around.eps_px, index);
-        ask_for_displacement(around, answer, memory);
+        ask_for_displacement(around, answer);
     }
     void ask_about_all(const Scene& scene, const OnePixel& pixel) {
         ask(pixel, PrimitiveId::none);
@@ -79,9 +78,9 @@ class Comparison {
             ++(is_seen ? seen : unseen);
         }
     }
-    void ask_for_displacement(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& memory) {
-        if (decide(around, answer, memory).admissibility != Admissibility::visible) return;
-        const auto displacement = displacement_of(around, answer, memory).over_eps;
+    void ask_for_displacement(const Neighbourhood& around, PrimitiveId answer) {
+        if (decide(around, answer).admissibility != Admissibility::visible) return;
+        const auto displacement = displacement_of(around, answer).over_eps;
         ASSERT_EQ(displacement, bisected_displacement(around, answer));
         moved += displacement.has_value();
     }
@@ -109,13 +108,12 @@ TEST(ConservativeTest, TakesNothingForSeenThatARangeHides) {
     const Scene scene = scene_of(view, {wall(4), wall(8)});
     const PrimitiveId answer{0};
     Neighbourhood around = OnePixel(scene, view, raster_precision(), 0, 0).around(answer);
-    CoplanarCache memory(16);
-    EXPECT_EQ(ConservativeTest(around, answer, memory).finding(), ConservativeTest::Finding::visible);
+    EXPECT_EQ(ConservativeTest(around, answer).finding(), ConservativeTest::Finding::visible);
     around.neighbours[1].least_inverse_depth = around.neighbours[1].greatest_inverse_depth = 0;
-    const ConservativeTest hidden(around, answer, memory);
+    const ConservativeTest hidden(around, answer);
     EXPECT_NE(hidden.finding(), ConservativeTest::Finding::visible);
     EXPECT_FALSE(hidden.is_seen_at_centre());
-    EXPECT_EQ(decide(around, answer, memory).admissibility, Admissibility::hidden);
+    EXPECT_EQ(decide(around, answer).admissibility, Admissibility::hidden);
 }
 
 TEST(ConservativeTest, TellsTiesOfWallsAsRationalsDo) {
@@ -226,8 +224,7 @@ TEST(ConservativeTest, LeavesATriangleOfUncertainSideUndecided) {
         n.is_trusted = false;
         if (answer == PrimitiveId::none)
             for (Affine<double>& edge : n.edges) edge = -edge;
-        CoplanarCache memory(16);
-        EXPECT_EQ(ConservativeTest(around, answer, memory).finding(), ConservativeTest::Finding::undecided);
+        EXPECT_EQ(ConservativeTest(around, answer).finding(), ConservativeTest::Finding::undecided);
     }
 }
 
@@ -314,11 +311,10 @@ std::vector<double> halves_that_just_touch(const Neighbourhood& around, Rng& rng
 void ask_where_edges_just_touch(const Neighbourhood& around, Rng& rng, std::array<int, 2>& said) {
     std::vector<PrimitiveId> answers{PrimitiveId::none};
     for (const Neighbour& n : around.neighbours) answers.push_back(PrimitiveId(n.triangle));
-    CoplanarCache memory(16);
-    AdmissibleSet<Rational> set(around, memory);
+    AdmissibleSet<Rational> set(around);
     for (const double half_side_px : halves_that_just_touch(around, rng))
         for (const PrimitiveId answer : answers) {
-            const auto certain = ConservativeTest(around, answer, memory).seen_within(half_side_px);
+            const auto certain = ConservativeTest(around, answer).seen_within(half_side_px);
             if (certain == ConservativeTest::Visibility::undecided) continue;
             set.set_half_side(half_side_px);
             const bool is_seen = answer == PrimitiveId::none ? set.holds_background(EdgeRule::watertight)

@@ -19,14 +19,13 @@ TEST(Decide, SaysWhatExactRationalsSayForEveryAnswer) {
     for (std::uint32_t seed = 0; seed < 1000; ++seed) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
-        CoplanarCache memory(16);
-        AdmissibleSet<Rational> set(s.around, memory);
+        AdmissibleSet<Rational> set(s.around);
         const std::size_t count = s.around.neighbours.size();
-        const Decision bare = decide(s.around, PrimitiveId::none, memory);
+        const Decision bare = decide(s.around, PrimitiveId::none);
         ASSERT_EQ(bare.admissibility, word_for(set, count, std::nullopt));
         ++said[std::size_t(bare.admissibility)];
         for (std::size_t i = 0; i < count; ++i) {
-            const Decision decision = decide(s.around, PrimitiveId(s.around.neighbours[i].triangle), memory);
+            const Decision decision = decide(s.around, PrimitiveId(s.around.neighbours[i].triangle));
             ASSERT_EQ(decision.admissibility, word_for(set, count, i)) << i;
             ++said[std::size_t(decision.admissibility)];
             exact += decision.exact;
@@ -62,10 +61,9 @@ TEST(Decide, ASilhouetteIsDecidedAsRationalsDecideHardlyEverByThem) {
         const Scene scene = scene_of(view, random_silhouette(rng));
         const ViewBounds bounds(view, rng.below(2) ? raster_precision() : ray_precision());
         const Neighbourhood around = surroundings(scene, view, bounds, {1, 1}, 0);
-        CoplanarCache memory(16);
-        AdmissibleSet<Rational> set(around, memory);
+        AdmissibleSet<Rational> set(around);
         for (std::size_t i = 0; i < around.neighbours.size(); ++i) {
-            const Decision decision = decide(around, PrimitiveId(std::uint32_t(i)), memory);
+            const Decision decision = decide(around, PrimitiveId(std::uint32_t(i)));
             ASSERT_EQ(decision.admissibility, word_for(set, around.neighbours.size(), i)) << i;
             exact += decision.exact;
             ++said[std::size_t(decision.admissibility)];
@@ -83,9 +81,8 @@ TEST(Decide, OneSetIsAskedAboutAllAnswers) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
         const std::size_t count = s.around.neighbours.size();
-        CoplanarCache memory(16);
-        AdmissibleSet<Rational> by_arithmetic(s.around, memory);
-        AdmissibleSet<LazyRational> set(s.around, memory);
+        AdmissibleSet<Rational> by_arithmetic(s.around);
+        AdmissibleSet<LazyRational> set(s.around);
         for (std::size_t i = 0; i < count; ++i)
             ASSERT_EQ(word_for(set, count, i), word_for(by_arithmetic, count, i)) << i;
         ASSERT_EQ(word_for(set, count, std::nullopt), word_for(by_arithmetic, count, std::nullopt));
@@ -103,10 +100,9 @@ TEST(Decide, WhatDoubleTellsOfWallsIsWhatRationalsTell) {
         const Scene scene = random_walls(rng, view);
         const ViewBounds bounds(view, rng.below(2) ? raster_precision() : ray_precision());
         const Neighbourhood around = surroundings(scene, view, bounds, {1, 1}, 0);
-        CoplanarCache memory(16);
-        AdmissibleSet<Rational> set(around, memory);
+        AdmissibleSet<Rational> set(around);
         for (std::size_t i = 0; i < around.neighbours.size(); ++i) {
-            const Finding finding = ConservativeTest(around, PrimitiveId(std::uint32_t(i)), memory).finding();
+            const Finding finding = ConservativeTest(around, PrimitiveId(std::uint32_t(i))).finding();
             ++(finding == Finding::undecided ? others : certain);
             if (finding == Finding::undecided) continue;
             const auto word = finding == Finding::tied ? Admissibility::tied : Admissibility::visible;
@@ -121,8 +117,7 @@ TEST(Decide, WhatDoubleTellsOfWallsIsWhatRationalsTell) {
 
 TEST(Decide, ATriangleThatIsNoNeighbourIsOutside) {
     const Surroundings s = random_surroundings(0);
-    CoplanarCache memory(16);
-    EXPECT_EQ(decide(s.around, PrimitiveId(99), memory).admissibility, Admissibility::outside);
+    EXPECT_EQ(decide(s.around, PrimitiveId(99)).admissibility, Admissibility::outside);
 }
 
 TEST(ClassOf, TheCandidatesDefectComesFirstThenTheReferencesThenTheLessPlainAdmissibility) {

@@ -116,8 +116,7 @@ TEST(DisplacementOf, IsTheLeastStepFromWhicheverStepItIsLookedFor) {
         const double edge = 1.5 + (step - 0.5) / displacement_steps * eps_px;
         const Scene scene = scene_of(view, {wall_left_of(edge, 4), wall_right_of(edge, 4), wall(8)});
         const Neighbourhood around = surroundings(scene, view, bounds, {1, 1}, 0);
-        CoplanarCache coplanar(16);
-        const auto found = displacement_of(around, PrimitiveId(1), coplanar).over_eps;
+        const auto found = displacement_of(around, PrimitiveId(1)).over_eps;
         EXPECT_EQ(found, bisected_displacement(around, PrimitiveId(1))) << step;
         const double expected = double(step - 1) / displacement_steps;
         EXPECT_NEAR(found.value_or(0), expected, 1.5 / displacement_steps) << step;
@@ -129,12 +128,11 @@ TEST(DisplacementOf, IsWhatBisectionFindsWhateverIsCertainInDouble) {
     for (std::uint32_t seed = 0; seed < 1500; ++seed) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
-        CoplanarCache coplanar(16);
         std::vector<PrimitiveId> answers{PrimitiveId::none};
         for (const Neighbour& n : s.around.neighbours) answers.push_back(PrimitiveId(n.triangle));
         for (const PrimitiveId answer : answers) {
-            if (decide(s.around, answer, coplanar).admissibility != Admissibility::visible) continue;
-            const auto found = displacement_of(s.around, answer, coplanar).over_eps;
+            if (decide(s.around, answer).admissibility != Admissibility::visible) continue;
+            const auto found = displacement_of(s.around, answer).over_eps;
             ASSERT_EQ(found, bisected_displacement(s.around, answer)) << int(answer);
             ++asked, moved += found.has_value();
         }

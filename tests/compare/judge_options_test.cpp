@@ -11,7 +11,6 @@
 #include "compare/admissible/admissibility.h"
 #include "compare/admissible/depth_rule.h"
 #include "compare/agree/agree.h"
-#include "compare/agree/row_counts.h"
 #include "compare/judge.h"
 #include "random_surroundings.h"
 #include "test_scene.h"
@@ -108,15 +107,14 @@ Alone alone(const Shown& s, const Frame& frame, const ViewBounds& bounds, const 
         a.is_invalid = z < 0 && !check.is_admissible;
     }
     if (a.is_invalid || !differs) return a;
-    CoplanarCache coplanar(16);
     const double own = own_eps_px(s.scene, s.view, bounds, place, id);
     const Neighbourhood around = surroundings(s.scene, s.view, bounds, place, own);
-    a.decision = decide(around, id, coplanar);
+    a.decision = decide(around, id);
     const auto answer = around.index_of(id);
     const bool rests_on_depth = a.decision.admissibility == Admissibility::tied ||
                                 (answer && is_open(s.view, around.neighbours[*answer]));
     if (is_admissible(a.decision.admissibility) && rests_on_depth)
-        a.has_depth &= may_lie_at(bounds.compared_at(z).greatest, around, id, coplanar).may_lie_there;
+        a.has_depth &= may_lie_at(bounds.compared_at(z).greatest, around, id).may_lie_there;
     return a;
 }
 

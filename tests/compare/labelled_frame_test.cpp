@@ -54,10 +54,9 @@ struct RandomPixel {
     }
     /// A label's triangles are looked for within eps: those that rounding alone shows are not among them.
     bool comes_near(const ViewBounds& bounds, std::uint32_t t) const {
-        CoplanarCache memory(16);
         const Neighbourhood around =
             surroundings(scene, view, bounds, pixel, own_eps_px(scene, view, bounds, pixel, PrimitiveId(t)));
-        return AdmissibleSet<Rational>(around, memory).reaches(t);
+        return AdmissibleSet<Rational>(around).reaches(t);
     }
 
   private:
@@ -65,8 +64,7 @@ struct RandomPixel {
                                     const Decision& decision) const {
         Neighbourhood around = surroundings(scene, view, bounds, pixel, 0);
         around.eps_px = decision.eps_px;
-        CoplanarCache memory(16);
-        AdmissibleSet<Rational> set(around, memory);
+        AdmissibleSet<Rational> set(around);
         return is_admissible(word_for(set, around.neighbours.size(), t));
     }
     explicit RandomPixel(Rng rng)

@@ -117,7 +117,8 @@ TEST(PlaneEquation, APolygonIsAsBadAsItsThinnestThreeCorners) {
 /// The camera's window is [-1, 1]^2 at depth 1, near is at 0.1.
 std::vector<WindowCorner> seen(const CornersWorld& p) {
     const View view = wide_view();
-    return window_polygon(view, ViewBounds(view, RasterPrecision{}).extent_of(p), Clipping::view_volume,
+    const ViewFacts facts(view);
+    return window_polygon(facts, facts.extent_of(p), Clipping::view_volume,
                           z_range(view.camera, {.depth_buffer = DepthBuffer::reversed_z}));
 }
 

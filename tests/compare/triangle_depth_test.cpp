@@ -105,8 +105,8 @@ TEST(DepthRule, DecidesAsRationalsDo) {
 /// What a run of one pixel says of it.
 double certain_error(const TriangleDepth& depth, const PixelCoord& place, float z) {
     const float depths[errors_together] = {z};
-    double errors[errors_together]{}, rooms[errors_together]{};
-    find_depth_errors(depth, place.x, place.y, 1, depths, errors, rooms);
+    double errors[errors_together]{};
+    find_depth_errors(depth, place.x, place.y, 1, depths, errors);
     return errors[0];
 }
 

@@ -139,6 +139,29 @@ TEST(Verdict, DoesNotDependOnTheNumberOfThreads) {
     }
 }
 
+TEST(BoundRecord, CountsAnErrorIntoItsBin) {
+    const auto bin_of = [](double error) {
+        BoundRecord record;
+        count(record, error);
+        EXPECT_EQ(record.max_error_over_bound, error);
+        return std::ranges::find(record.histogram, 1u) - record.histogram.begin();
+    };
+    EXPECT_EQ(bin_of(0), 0);
+    EXPECT_EQ(bin_of(0.05), 1);
+    EXPECT_EQ(bin_of(std::nextafter(0.05, 0)), 0);
+    EXPECT_EQ(bin_of(0.975), 19);
+    EXPECT_EQ(bin_of(1), 20);
+    EXPECT_EQ(bin_of(1e300), 20);
+}
+
+TEST(BoundRecord, OfPartsIsTheirSum) {
+    BoundRecord one, other, all;
+    for (const double error : {0.1, 0.5, 3.0}) count(one, error), count(all, error);
+    for (const double error : {0.5, 0.7}) count(other, error), count(all, error);
+    add(one, other);
+    EXPECT_EQ(one, all);
+}
+
 TEST(PixelClass, EverythingFromWrongAttributeOnFailsTheGate) {
     for (int c = 0; c < pixel_class_count; ++c) {
         Verdict verdict;

@@ -61,8 +61,7 @@ class BentView {
         const double eps_px = own_eps_px(input_.scene, view, bounds, {claim.x, claim.y}, id);
         if (eps_px > bent_reach_px) return false;
         const Neighbourhood around = neighbourhood_of(input_.scene, view, bounds, pixel, eps_px);
-        CoplanarCache coplanar(64);
-        return around.eps_px <= bent_reach_px && is_admissible(decide(around, id, coplanar).admissibility);
+        return around.eps_px <= bent_reach_px && is_admissible(decide(around, id).admissibility);
     }
 
     /// The depths that the claimed triangle may have in that view, if its depth is one.

@@ -1,4 +1,4 @@
-#include "compare/id_agreement.h"
+#include "frame/id_agreement.h"
 
 #include <gtest/gtest.h>
 

@@ -14,8 +14,7 @@ struct IdAgreement {
     std::uint64_t unanimous = 0;                   ///< pixels at which all do
 };
 
-/// All frames of one size (std::invalid_argument otherwise), at least one; on the threads of the surrounding
-/// tbb::task_arena.
+/// All frames of one size (std::invalid_argument otherwise), at least one.
 IdAgreement count_id_agreement(std::span<const Frame* const> frames);
 
 }  // namespace zproof
