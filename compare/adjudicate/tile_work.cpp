@@ -45,30 +45,34 @@ TileWork::TileWork(const Setting& setting, std::span<const std::uint32_t> near, 
       work_left_(most_work),
       displacement_work_left_(most_work) {}
 
-auto TileWork::places_within(double reach_px, const PixelCoord& pixel, const ViewBounds& bounds)
-    -> std::vector<NearPlace> {
-    std::vector<NearPlace> within;
-    for (std::size_t place = 0; place < triangles_.count(); ++place) {
-        const double distance_px = distance_px_from(triangles_.box(place, bounds), pixel);
-        if (distance_px <= reach_px) within.push_back({place, distance_px});
-    }
-    return within;
-}
-
 std::vector<std::uint32_t> TileWork::triangles_within(double reach_px, const PixelCoord& pixel,
                                                       const ViewBounds& bounds) {
     std::vector<std::uint32_t> within;
-    for (const NearPlace& near : places_within(reach_px, pixel, bounds))
-        within.push_back(triangles_.triangle(near.place));
+    for (std::size_t place = 0; place < triangles_.count(); ++place)
+        if (distance_px_from(triangles_.box(place, bounds), pixel) <= reach_px)
+            within.push_back(triangles_.triangle(place));
     return within;
 }
 
-/// Bounds what is there around the query's pixel.
-void TileWork::look_at(const PixelQuery& query, std::span<const NearPlace> places) {
-    const ViewRay<double> ray = setting_.rays.at(query.x, query.y);
+/// Collects the triangles within that reach of the pixel's centre, by the renderer's bounds.
+void TileWork::look_at(const PixelQuery& query, double reach_px) {
+    const PixelCoord pixel{query.x, query.y};
+    const Projection projection = setting_.view.camera.projection;
+    if (pixel == pixel_ && reach_px == seen_px_) {
+        for (auto& [place, distance_px, n] : seen_) {
+            distance_px = distance_px_from(triangles_.box(place, *query.bounds), pixel);
+            set_bounds(n, triangles_.of(place, *query.bounds), projection);
+        }
+        return;
+    }
+    pixel_ = pixel;
+    seen_px_ = reach_px;
     seen_.clear();
-    for (const auto& [place, distance_px] : places) {
-        seen_.push_back({distance_px, neighbour_of(ray, triangles_.of(place, *query.bounds))});
+    const ViewRay<double> ray = setting_.rays.at(pixel.x, pixel.y);
+    for (std::size_t place = 0; place < triangles_.count(); ++place) {
+        if (distance_px_from(triangles_.widest_box(place), pixel) > reach_px) continue;
+        const double distance_px = distance_px_from(triangles_.box(place, *query.bounds), pixel);
+        seen_.push_back({place, distance_px, neighbour_of(ray, triangles_.of(place, *query.bounds))});
         seen_.back().neighbour.triangle = triangles_.triangle(place);
     }
 }
@@ -79,26 +83,26 @@ double TileWork::own_eps_px(const PixelQuery& query) const {
         return PrimitiveId(s.neighbour.triangle) == query.answer;
     };
     const auto found = std::ranges::find_if(seen_, is_answer);
-    return found != seen_.end() ? found->neighbour.bounds.eps_px
-                                : zproof::own_eps_px(setting_.scene, setting_.view, *query.bounds,
-                                                     {query.x, query.y}, query.answer);
+    return found != seen_.end()
+               ? found->neighbour.bounds.eps_px
+               : zproof::own_eps_px(setting_.scene, setting_.view, *query.bounds, pixel_, query.answer);
 }
 
 /// The largest eps, and own_eps_px at least, of what comes within own_eps_px of the centre and whose box is
 /// no farther from it than reach_px.
 double TileWork::eps_px_within(double reach_px, double own_eps_px) const {
     double eps_px = own_eps_px;
-    for (const auto& [distance_px, n] : seen_)
+    for (const auto& [place, distance_px, n] : seen_)
         if (distance_px <= reach_px && n.image && comes_within(*n.image, own_eps_px))
             eps_px = std::max(eps_px, n.bounds.eps_px);
     return eps_px;
 }
 
-void TileWork::gather(const PixelQuery& query, double reach_px) {
-    around_.x = query.x;
-    around_.y = query.y;
+void TileWork::gather(double reach_px) {
+    around_.x = pixel_.x;
+    around_.y = pixel_.y;
     around_.neighbours.clear();
-    for (const auto& [distance_px, neighbour] : seen_)
+    for (const auto& [place, distance_px, neighbour] : seen_)
         if (distance_px <= reach_px) around_.neighbours.push_back(neighbour);
 }
 
@@ -117,9 +121,17 @@ void TileWork::add_answer(const PixelQuery& query) {
 /// Does the square reach one of the image's sides? Clipping there puts an edge on every triangle, which errs
 /// by its eps: none hides another for certain.
 bool TileWork::reaches_a_side() const {
-    const glm::dvec2 at = sampled_at(setting_.view, around_.x, around_.y);
+    const glm::dvec2 at = sampled_at(setting_.view, pixel_.x, pixel_.y);
     const double nearest_px = std::min({at.x, at.y, setting_.view.width - at.x, setting_.view.height - at.y});
     return nearest_px <= around_.eps_px;
+}
+
+bool TileWork::has_too_many_within(const PixelQuery& query, double reach_px) {
+    if (triangles_.count() <= most_neighbours) return false;
+    std::size_t count = 0;
+    for (std::size_t place = 0; place < triangles_.count(); ++place)
+        count += distance_px_from(triangles_.box(place, *query.bounds), {query.x, query.y}) <= reach_px;
+    return count > most_neighbours;
 }
 
 /// Is one end of what it may hold for its depth open?
@@ -170,18 +182,35 @@ void TileWork::decide_around(const PixelQuery& query, QueryResult& adjudicated) 
     take(found.work, displacement_work_left_);
 }
 
-/// Is the answer what is truly at the pixel's centre, for certain? All is seen from the tile's middle.
+/// Is the answer what is truly at the pixel's centre, for certain? Most share that with their block, or tile,
+/// which holds no other answer then.
 bool TileWork::is_there_truly(const PixelQuery& query) {
-    const PixelCoord pixel{query.x, query.y}, seen_from = middle_of_tile(query);
+    const int x = query.x % Tiles::side_px, y = query.y % Tiles::side_px;
+    const std::size_t block = 1 + std::size_t(y / block_px * blocks_in_a_row + x / block_px);
+    for (const auto& [place, side_px] : {std::pair{std::size_t{0}, Tiles::side_px}, {block, block_px}}) {
+        std::optional<Filling>& filling = fillings_[place];
+        if (!filling) filling = {query.answer, is_true_all_over(query, side_px)};
+        if (filling->is_true && filling->answer == query.answer) return true;
+    }
+    return is_true_all_over(query, 1);
+}
+
+/// Is it so wherever a centre lies in the square of that side, of those the image is cut into, that holds the
+/// pixel? What is not near the tile's queries does not matter to them.
+bool TileWork::is_true_all_over(const PixelQuery& query, int side_px) {
+    const int half = side_px / 2;
+    const PixelCoord middle{query.x / side_px * side_px + half, query.y / side_px * side_px + half},
+        seen_from = middle_of_tile(query);
     Camera camera = setting_.view.camera;
     camera.near_depth = query.bounds->near_depth();
     const std::optional<std::size_t> answer = triangles_.place_of(query.answer);
     if (!answer && query.answer != PrimitiveId::none) return false;
-    const TrueVisibility visibility(camera, {double(pixel.x - seen_from.x), double(pixel.y - seen_from.y)},
-                                    answer ? &seen_in_tile(*answer, query) : nullptr);
+    const TrueVisibility visibility(
+        camera, {{double(middle.x - seen_from.x), double(middle.y - seen_from.y)}, double(half)},
+        answer ? &seen_in_tile(*answer, query) : nullptr);
     if (!visibility.is_answer_there()) return false;
     for (std::size_t place = 0; place < triangles_.count(); ++place)
-        if (place != answer && distance_px_from(triangles_.widest_box(place), pixel) == 0 &&
+        if (place != answer && distance_px_from(triangles_.widest_box(place), middle) <= half &&
             !visibility.is_seen_past(seen_in_tile(place, query)))
             return false;
     return true;
@@ -207,13 +236,11 @@ double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult
         adjudicated = {};
         return 0;
     }
-    std::vector<NearPlace> places;
-    if (is_work_left) places = places_within(searched_px, {query.x, query.y}, *query.bounds);
-    if (!is_work_left || places.size() > most_neighbours) {
+    if (!is_work_left || has_too_many_within(query, searched_px)) {
         adjudicated = {.decision = {Admissibility::undecidable, false, searched_px / first_reach}};
         return 0;
     }
-    look_at(query, places);
+    look_at(query, searched_px);
     const double own_eps = own_eps_px(query), least_reach_px = first_reach * own_eps;
     around_.eps_px = eps_px_within(least_reach_px, own_eps);
     const double reach_px = first_reach * around_.eps_px;
@@ -221,7 +248,7 @@ double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult
     around_.is_watertight = query.bounds->is_watertight();
     around_.cuts_triangles = query.bounds->cuts_triangles();
     around_.view.camera.near_depth = query.bounds->near_depth();
-    gather(query, reach_px);
+    gather(reach_px);
     add_answer(query);
     if (query.bounds->clips_at_sides() && reaches_a_side())
         std::erase_if(around_.neighbours,

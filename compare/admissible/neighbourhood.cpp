@@ -89,15 +89,19 @@ Neighbour seen_at(const ViewRay<double>& ray, const BoundedTriangle& triangle) {
     return n;
 }
 
-Neighbour neighbour_of(const ViewRay<double>& ray, const BoundedTriangle& triangle) {
-    Neighbour n = seen_at(ray, triangle);
+void set_bounds(Neighbour& n, const BoundedTriangle& triangle, Projection projection) {
     static_cast<TriangleLimits&>(n) = triangle.bounds;
     std::optional<PlaneHere> plane;
     if (n.image) plane = PlaneHere{n.image->inverse_depth.c, n.gradient, n.plane_error};
     n.bounds = bounds_at(triangle, plane);
-    const InverseDepthRange range = inverse_depth_range(triangle, plane, n.bounds, ray.projection);
+    const InverseDepthRange range = inverse_depth_range(triangle, plane, n.bounds, projection);
     n.least_inverse_depth = range.least;
     n.greatest_inverse_depth = range.greatest;
+}
+
+Neighbour neighbour_of(const ViewRay<double>& ray, const BoundedTriangle& triangle) {
+    Neighbour n = seen_at(ray, triangle);
+    set_bounds(n, triangle, ray.projection);
     return n;
 }
 

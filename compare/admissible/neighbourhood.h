@@ -76,7 +76,9 @@ bool comes_within(const TriangleImage<double>& image, double eps_px);
 
 /// What one triangle is at a pixel, whoever draws it: its image, with its errors. `triangle` is left 0.
 Neighbour seen_at(const ViewRay<double>& ray, const BoundedTriangle& triangle);
-/// The same by a renderer's bounds.
+/// Sets what depends on the renderer.
+void set_bounds(Neighbour& seen, const BoundedTriangle& triangle, Projection projection);
+/// Both steps in one: seen_at() and set_bounds().
 Neighbour neighbour_of(const ViewRay<double>& ray, const BoundedTriangle& triangle);
 inline Neighbour neighbour_of(const ViewRay<double>& ray, const ViewBounds& bounds,
                               const CornersWorld& p_world) {

@@ -5,17 +5,18 @@
 
 namespace zproof {
 
-TrueVisibility::TrueVisibility(const Camera& camera, const PixelOffset& from_view_ray,
-                               const Neighbour* answer)
-    : centre_(from_view_ray),
+TrueVisibility::TrueVisibility(const Camera& camera, const SquareInView& square, const Neighbour* answer)
+    : square_(square),
       answer_(answer),
       near_(inverse_depth_of(camera.near_depth, camera.projection)),
       far_(inverse_depth_of(camera.far_depth, camera.projection)),
-      error_scale_(2 * std::max({1.0, std::abs(from_view_ray.x), std::abs(from_view_ray.y)})) {}
+      error_scale_(2 * std::max(1.0, square.half_side_px + std::max(std::abs(square.from_view_ray.x),
+                                                                    std::abs(square.from_view_ray.y)))) {}
 
 auto TrueVisibility::range_of(const Affine<double>& f, double error) const -> Range {
-    const double value = f.at(centre_.x, centre_.y);
-    return {value - error_scale_ * error, value + error_scale_ * error};
+    const double middle = f.at(square_.from_view_ray.x, square_.from_view_ray.y),
+                 reach = square_.half_side_px * (std::abs(f.a) + std::abs(f.b)) + error_scale_ * error;
+    return {middle - reach, middle + reach};
 }
 
 /// The plane must be known.

@@ -15,7 +15,7 @@ namespace zproof {
 namespace {
 
 /// Rows that are looked at together: so many share their triangles.
-constexpr int band_height = 16;
+constexpr int band_height = 32;
 
 /// What a triangle's depth may be by both renderers' bounds.
 struct Depths {

@@ -106,6 +106,35 @@ TEST(Neighbour, IsOffByNoMoreThanItsErrorsWithOneFarCorner) {
     expect_tried(tried);
 }
 
+/// Whoever drew it before: the image stays, and all that is a renderer's is the new one's.
+TEST(SetBounds, MakesANeighbourAnotherRenderers) {
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        const ViewBounds ray_bounds(s.view, RayPrecision{}),
+            raster_bounds(s.view, RasterPrecision{.subpixel_bits = 4});
+        const ViewRay<double> ray(s.view, s.x, s.y);
+        for (const Neighbour& n : s.around.neighbours) {
+            Neighbour changed = neighbour_of(ray, ray_bounds, n.p_world);
+            set_bounds(changed, BoundedTriangle(raster_bounds, n.p_world), s.view.camera.projection);
+            const Neighbour expected = neighbour_of(ray, raster_bounds, n.p_world);
+            ASSERT_EQ(changed.bounds.eps_px, expected.bounds.eps_px);
+            ASSERT_EQ(changed.bounds.depth_eps_px, expected.bounds.depth_eps_px);
+            ASSERT_EQ(changed.bounds.depth_relative, expected.bounds.depth_relative);
+            ASSERT_EQ(changed.bounds.depth_absolute, expected.bounds.depth_absolute);
+            ASSERT_EQ(changed.bounds.inverse_depth_error, expected.bounds.inverse_depth_error);
+            ASSERT_EQ(changed.near_slack, expected.near_slack);
+            ASSERT_EQ(changed.far_slack, expected.far_slack);
+            ASSERT_EQ(changed.nearest, expected.nearest);
+            ASSERT_EQ(changed.farthest, expected.farthest);
+            ASSERT_EQ(changed.least_inverse_depth, expected.least_inverse_depth);
+            ASSERT_EQ(changed.greatest_inverse_depth, expected.greatest_inverse_depth);
+            ASSERT_EQ(changed.is_trusted, expected.is_trusted);
+            ASSERT_EQ(changed.plane_error, expected.plane_error);
+        }
+    }
+}
+
 TEST(InverseDepthOf, HasTheBitsOfTheWholeImage) {
     int images = 0;
     for (std::uint32_t seed = 0; seed < 300; ++seed) {

@@ -1,4 +1,4 @@
-/// What is said to be truly visible at a centre must be so in rationals.
+/// What is said to be truly visible all over a square must be so in rationals, wherever in it a centre lies.
 #include "compare/admissible/true_visibility.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ class TruthAt {
     ViewRay<Rational> ray_;
 };
 
-TEST(TrueVisibility, IsThatOfRationals) {
+TEST(TrueVisibility, IsThatOfRationalsWhereverACentreLies) {
     int said = 0, said_of_background = 0;
     for (std::uint32_t seed = 0; seed < 12000; ++seed) {
         SCOPED_TRACE(seed);
@@ -60,15 +60,18 @@ TEST(TrueVisibility, IsThatOfRationals) {
         std::vector<Neighbour> seen;
         for (std::uint32_t t = 0; t < s.scene.triangles.size(); ++t)
             seen.push_back(seen_at(ray, BoundedTriangle(bounds, corners_of(s.scene, t))));
-        const int dx = rng.below(7) - 3, dy = rng.below(7) - 3;
+        const int half = rng.below(3), dx = rng.below(7) - 3, dy = rng.below(7) - 3;
+        const SquareInView square{{double(dx), double(dy)}, double(half)};
         const auto say = [&](PrimitiveId answer, const Neighbour* n) {
-            const TrueVisibility visibility(s.view.camera, {double(dx), double(dy)}, n);
+            const TrueVisibility visibility(s.view.camera, square, n);
             if (!visibility.is_answer_there()) return;
             if (!std::ranges::all_of(seen, [&](const Neighbour& other) {
                     return &other == n || visibility.is_seen_past(other);
                 }))
                 return;
-            ASSERT_TRUE(TruthAt(s.scene, s.view, {s.x + dx, s.y + dy}).is(answer));
+            for (int y = -half; y <= half; ++y)
+                for (int x = -half; x <= half; ++x)
+                    ASSERT_TRUE(TruthAt(s.scene, s.view, {s.x + dx + x, s.y + dy + y}).is(answer));
             ++(n ? said : said_of_background);
         };
         say(PrimitiveId::none, nullptr);
