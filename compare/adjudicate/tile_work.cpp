@@ -36,6 +36,12 @@ bool take(std::size_t work, std::size_t& left) {
     return is_enough;
 }
 
+/// Is one end of what it may hold for its depth open?
+bool is_open(const Neighbour& n, Projection projection) {
+    return n.greatest_inverse_depth == unlimited ||
+           n.least_inverse_depth <= (projection == Projection::perspective ? 0 : -unlimited);
+}
+
 }  // namespace
 
 TileWork::TileWork(const Setting& setting, std::span<const std::uint32_t> near, std::size_t most_work)
@@ -132,12 +138,6 @@ bool TileWork::has_too_many_within(const PixelQuery& query, double reach_px) {
     for (std::size_t place = 0; place < triangles_.count(); ++place)
         count += distance_px_from(triangles_.box(place, *query.bounds), {query.x, query.y}) <= reach_px;
     return count > most_neighbours;
-}
-
-/// Is one end of what it may hold for its depth open?
-bool is_open(const Neighbour& n, Projection projection) {
-    return n.greatest_inverse_depth == unlimited ||
-           n.least_inverse_depth <= (projection == Projection::perspective ? 0 : -unlimited);
 }
 
 /// What is shown is what was compared. Where only the depth bounds admit an answer, and where its own is

@@ -15,6 +15,7 @@ import numpy as np
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, '..', 'contract'))
 import zproof_contract as contract  # noqa: E402
+from reach import end_of_rays  # noqa: E402
 
 CASTER = os.path.join(HERE, sys.argv.pop(1))
 
@@ -34,8 +35,7 @@ def cast(corners, rays, reach):
 def render(triangles, camera):
     frame = contract.Frame(camera.width, camera.height)
     corners = np.array(triangles, dtype=np.float32).reshape(-1, 3)
-    # no corner lies beyond: a ray is as long as it must be
-    end = min(camera.far, 1.001 * np.max((corners - camera.eye) @ -np.array(camera.back), initial=-np.inf))
+    end = end_of_rays(corners, camera)
     if not end > camera.near:
         return frame
     x, y = (a.ravel() for a in np.meshgrid(np.arange(camera.width), np.arange(camera.height)))

@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkGenericCell, vtkPolyD
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'contract'))
 import zproof_contract as contract  # noqa: E402
+from reach import end_of_rays  # noqa: E402
 
 
 def locator_of(corners):
@@ -31,8 +32,7 @@ def locator_of(corners):
 def render(triangles, camera):
     frame = contract.Frame(camera.width, camera.height)
     corners = np.array(triangles, dtype=np.float32).reshape(-1, 3)
-    # no corner lies beyond: a segment is as long as it must be
-    end = min(camera.far, 1.001 * np.max((corners - camera.eye) @ -np.array(camera.back), initial=-np.inf))
+    end = end_of_rays(corners, camera)
     if not end > camera.near:
         return frame
     locator, cell = locator_of(corners), vtkGenericCell()
