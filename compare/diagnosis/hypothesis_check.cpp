@@ -138,8 +138,7 @@ class RestatedClaims {
 };
 
 /// The triangles that come near any pixel in question, as a scene of their own: small, so that every
-/// hypothesis can be tested in it by itself. Order is kept; vertices are not shared, since corners are told
-/// by their positions.
+/// hypothesis can be tested in it by itself. Order is kept.
 class LocalScene {
   public:
     LocalScene(const DiagnosisInput& input, std::span<RestatedClaims> all_restated) {
@@ -160,7 +159,7 @@ class LocalScene {
             restated.put_triangles_for_labels([&](const Claim& claim) { return nearby(claim); });
         std::ranges::sort(triangles_);
         triangles_.erase(std::unique(triangles_.begin(), triangles_.end()), triangles_.end());
-        for (const std::uint32_t triangle : triangles_) settle(corners_of(input.scene, triangle));
+        settle(input.scene);
     }
 
     const Scene& scene() const { return scene_; }
@@ -200,10 +199,21 @@ class LocalScene {
         return view;
     }
 
-    void settle(const CornersWorld& p_world) {
-        const auto first = std::uint32_t(scene_.vertices.position_world.size());
-        for (const glm::vec3& p : p_world) scene_.vertices.position_world.push_back(p);
-        scene_.triangles.push_back({first, first + 1, first + 2});
+    void settle(const Scene& whole) {
+        std::vector<std::uint32_t> vertices;  // of the whole scene
+        for (const std::uint32_t triangle : triangles_)
+            for (int corner = 0; corner < 3; ++corner) vertices.push_back(whole.triangles[triangle][corner]);
+        std::ranges::sort(vertices);
+        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+        for (const std::uint32_t v : vertices)
+            scene_.vertices.position_world.push_back(whole.vertices.position_world[v]);
+        const auto here = [&](std::uint32_t v) {
+            return std::uint32_t(std::ranges::lower_bound(vertices, v) - vertices.begin());
+        };
+        for (const std::uint32_t triangle : triangles_) {
+            const glm::uvec3& t = whole.triangles[triangle];
+            scene_.triangles.push_back({here(t.x), here(t.y), here(t.z)});
+        }
     }
 
     std::map<std::pair<int, int>, double> reaches_;                           ///< by row, then column

@@ -13,7 +13,7 @@ namespace {
 constexpr double searched_px = 1;
 
 /// Pixels of a frame that are looked at before anything is searched.
-constexpr std::size_t most_asked = 512;
+constexpr std::size_t most_asked = 128;
 
 const RuleOverride as_it_is;
 
@@ -90,40 +90,35 @@ ReportedDepth OtherWorld::depth_of(const Claim& claim) const {
     return {bound.low, bound.high};
 }
 
-bool OtherWorld::might_be_shown() const {
+bool OtherWorld::might_be_shown() {
     const Frame& frame = input_.candidate.frame;
     const std::size_t count = frame.primitive.pixels().size(), width = std::size_t(frame.size().width);
     std::vector<Claim> claims;
-    std::vector<SearchPixel> pixels;
     for (std::size_t i = 0; i < count; i += count / most_asked + 1) {
         const int x = int(i % width), y = int(i / width);
-        if (frame.primitive.at(x, y) == PrimitiveId::none) continue;
-        claims.push_back({x, y, {frame.primitive.at(x, y), frame.camera_depth.at(x, y)}});
-        pixels.push_back({x, y, searched_px, {}});
+        if (frame.primitive.at(x, y) != PrimitiveId::none)
+            claims.push_back({x, y, {frame.primitive.at(x, y), frame.camera_depth.at(x, y)}});
     }
-    const std::array renderers{&bounds_};
-    if (input_.said) find_nearby_triangles(*scene_, view_, renderers, pixels);
-    std::size_t possible = 0;
-    for (std::size_t i = 0; i < claims.size(); ++i)
-        possible += std::ranges::any_of(readings_among(claims[i], pixels[i].triangles),
-                                        [&](const Claim& reading) { return may_show(reading); });
+    std::size_t possible = 0, impossible = 0;
+    for (std::size_t i = 0; 2 * possible < claims.size() && 2 * impossible <= claims.size(); ++i) {
+        const bool is_possible = std::ranges::any_of(readings_of(claims[i]),
+                                                     [&](const Claim& reading) { return may_show(reading); });
+        ++(is_possible ? possible : impossible);
+    }
     return 2 * possible >= claims.size();
-}
-
-std::vector<Claim> OtherWorld::readings_among(const Claim& claim, std::span<const std::uint32_t> near) const {
-    if (!input_.said) return {claim};
-    std::vector<Claim> readings;
-    if (claim.answer.primitive == PrimitiveId::none) readings.push_back(claim);
-    for (const std::uint32_t t : near)
-        if (have_one_label(input_.said->labels, PrimitiveId(t), claim.answer.primitive))
-            readings.push_back({claim.x, claim.y, {PrimitiveId(t), claim.answer.camera_depth}});
-    return readings;
 }
 
 std::vector<Claim> OtherWorld::readings_of(const Claim& claim) {
     if (!input_.said) return {claim};
-    TileWork work = search().work_at(claim.x, claim.y);
-    return readings_among(claim, work.triangles_within(searched_px, {claim.x, claim.y}, bounds_));
+    std::vector<Claim> readings;
+    if (claim.answer.primitive == PrimitiveId::none) readings.push_back(claim);
+    const Search& in = search();
+    const Box near = square_around(claim.x, claim.y, searched_px);
+    for (const std::uint32_t t : in.by_tile.of(in.tiles.of(claim.x, claim.y)))
+        if (in.triangles.box_of(t).meets(near) &&
+            have_one_label(input_.said->labels, PrimitiveId(t), claim.answer.primitive))
+            readings.push_back({claim.x, claim.y, {PrimitiveId(t), claim.answer.camera_depth}});
+    return readings;
 }
 
 bool OtherWorld::admits(const Claim& claim) {

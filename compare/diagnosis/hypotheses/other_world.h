@@ -24,7 +24,7 @@ class OtherWorld {
     bool admits(const Claim& claim);
     /// Might the candidate show that world? Of pixels, evenly spread, that show a triangle, at least half
     /// might, each by itself. Cheap: where the candidate names triangles without a search.
-    bool might_be_shown() const;
+    bool might_be_shown();
     /// The claim; of a candidate that names no triangles with each triangle near that may stand for it.
     std::vector<Claim> readings_of(const Claim& claim);
     /// All triangles whose image comes within reach_px (at most 1) of the pixel's centre.
@@ -40,7 +40,6 @@ class OtherWorld {
     struct Search;
 
     bool may_show(const Claim& claim) const;
-    std::vector<Claim> readings_among(const Claim& claim, std::span<const std::uint32_t> near) const;
     Search& search();
 
     const DiagnosisInput& input_;
