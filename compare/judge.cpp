@@ -16,40 +16,26 @@ namespace zproof {
 
 namespace {
 
-/// What one thread counts and lists.
-struct Tally {
-    ClassCounts counts{};
-    BoundRecord candidate_depth, reference_depth, candidate_edges, reference_edges;
-    std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
-    std::vector<Finding> findings;
-
-    /// Counts what the first tier did not.
-    void count(const PixelCheck& pixel, const UndecidedPixel& undecided) {
-        reference_defects += is_reference_wrong(pixel);
-        const bool was_decided = pixel.candidate_decision.decision.eps_px > 0;
-        if (pixel.ids_differ() || was_decided)
-            count_decisions(pixel.candidate_decision, pixel.reference_decision);
-        if (!pixel.ids_differ() && !undecided.are_depths_admissible) count_depths(pixel);
+/// Counts what the first tier did not.
+void count(Verdict& verdict, const PixelCheck& pixel, const UndecidedPixel& undecided) {
+    verdict.reference_defects += is_reference_wrong(pixel);
+    const QueryResult &candidate = pixel.candidate_decision, &reference = pixel.reference_decision;
+    if (pixel.ids_differ() || candidate.decision.eps_px > 0) {
+        ++verdict.adjudicated;
+        verdict.exact += candidate.decision.exact || reference.decision.exact;
+        if (const auto& d = candidate.displacement_over_eps) count(verdict.candidate_edges, *d);
+        if (const auto& d = reference.displacement_over_eps) count(verdict.reference_edges, *d);
     }
-
-  private:
-    void count_decisions(const QueryResult& candidate, const QueryResult& reference) {
-        ++adjudicated;
-        exact += candidate.decision.exact || reference.decision.exact;
-        if (const auto& d = candidate.displacement_over_eps) zproof::count(candidate_edges, *d);
-        if (const auto& d = reference.displacement_over_eps) zproof::count(reference_edges, *d);
-    }
-    /// Counts the depths of pixels that name the same triangle.
-    void count_depths(const PixelCheck& pixel) {
-        const bool is_background = pixel.candidate.answer.primitive == PrimitiveId::none;
-        if (is_background || pixel.candidate.is_invalid || pixel.reference.is_invalid) return;
-        zproof::count(candidate_depth, pixel.candidate.error_over_bound);
-        zproof::count(reference_depth, pixel.reference.error_over_bound);
-    }
-};
+    const bool is_background = pixel.candidate.answer.primitive == PrimitiveId::none;
+    if (pixel.ids_differ() || undecided.are_depths_admissible || is_background ||
+        pixel.candidate.is_invalid || pixel.reference.is_invalid)
+        return;
+    count(verdict.candidate_depth, pixel.candidate.error_over_bound);
+    count(verdict.reference_depth, pixel.reference.error_over_bound);
+}
 
 /// Integers and maxima: the order of adding does not matter.
-void add(Verdict& sum, const Tally& part) {
+void add(Verdict& sum, const Verdict& part) {
     for (std::size_t c = 0; c < part.counts.size(); ++c) sum.counts[c] += part.counts[c];
     add(sum.candidate_depth, part.candidate_depth);
     add(sum.reference_depth, part.reference_depth);
@@ -100,7 +86,7 @@ Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candida
     verdict.candidate_depth = agreement.candidate_depth;
     verdict.reference_depth = agreement.reference_depth;
     verdict.counts[std::size_t(PixelClass::agree)] = size.pixel_count() - agreement.undecided.size();
-    tbb::enumerable_thread_specific<Tally> tallies;
+    tbb::enumerable_thread_specific<Verdict> tallies;  // what one thread counts and lists
     const auto record = [&](const PixelCheck& pixel, const PixelCoord& place) {
         const PixelClass said = class_of(pixel);
         verdict.classes.at(place.x, place.y) = said;
@@ -109,13 +95,13 @@ Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candida
     };
     check_pixels(frames, agreement.undecided, [&](std::size_t i, const PixelCheck& pixel) {
         record(pixel, agreement.undecided[i].place);
-        tallies.local().count(pixel, agreement.undecided[i]);
+        count(tallies.local(), pixel, agreement.undecided[i]);
     });
     const std::vector<UndecidedPixel> wrong = agreeing_with_wrong_attribute(frames, verdict.classes);
     check_pixels(frames, wrong,
                  [&](std::size_t i, const PixelCheck& pixel) { record(pixel, wrong[i].place); });
     verdict.counts[std::size_t(PixelClass::agree)] -= wrong.size();
-    for (const Tally& tally : tallies) add(verdict, tally);
+    for (const Verdict& tally : tallies) add(verdict, tally);
     tbb::parallel_sort(verdict.findings, [](const Finding& a, const Finding& b) {
         return std::pair{a.y, a.x} < std::pair{b.y, b.x};
     });

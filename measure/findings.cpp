@@ -36,12 +36,13 @@ class Allowed {
     double displacement_px() const {
         Scene scene;
         add_triangle(scene, Axis::x, {{{0, 0}, {128, 0}, {0, 64}}});
-        return bounds_in(raster_view(128, 64), scene).at(-1, 0).eps_px;
+        return BoundsOnPlane(bounds_in(raster_view(128, 64), scene), 0).at(-1).eps_px;
     }
     double depth_of(const DepthStep& step) const {
         const View view = flat_view(step.projection, step.depth, depth_range_of_steps);
         const bool perspective = step.projection == Projection::perspective;
-        const LocalBounds local = bounds_of_flat(view).at(perspective ? 1 / step.depth : -step.depth, 0);
+        const LocalBounds local =
+            BoundsOnPlane(bounds_of_flat(view), 0).at(perspective ? 1 / step.depth : -step.depth);
         const double per_inverse_depth = perspective ? step.depth * step.depth : 1;
         return local.depth_relative * step.depth + local.depth_absolute +
                (local.inverse_depth_error + std::abs(local.inverse_depth_bias)) * per_inverse_depth;

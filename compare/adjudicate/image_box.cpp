@@ -52,7 +52,7 @@ BoxProjection::InCamera BoxProjection::in_camera(const CornersWorld& p_world) co
     return corners;
 }
 
-std::optional<Box> BoxProjection::operator()(const CornersWorld& p_world) const {
+Box BoxProjection::operator()(const CornersWorld& p_world) const {
     const InCamera corners = in_camera(p_world);
     Box box;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -61,11 +61,10 @@ std::optional<Box> BoxProjection::operator()(const CornersWorld& p_world) const 
         if ((p.z >= least_depth_) != (q.z >= least_depth_))
             add(box, p + (least_depth_ - p.z) / (q.z - p.z) * (q - p));
     }
-    if (!(box.left <= box.right)) return std::nullopt;
-    return widen(box, corners.size, least_depth_);
+    return box.left <= box.right ? widen(box, corners.size, least_depth_) : Box{};
 }
 
-std::optional<Box> BoxProjection::before_eye(const CornersWorld& p_world) const {
+Box BoxProjection::before_eye(const CornersWorld& p_world) const {
     if (!perspective_) return (*this)(p_world);
     const auto [p_camera, size] = in_camera(p_world);
     const double error = error_in_camera * size;
@@ -79,7 +78,7 @@ std::optional<Box> BoxProjection::before_eye(const CornersWorld& p_world) const 
     }
     if (!(box.left <= box.right)) {
         const bool is_behind = std::ranges::all_of(p_camera, [&](const auto& p) { return p.z < -error; });
-        return is_behind ? std::nullopt : std::optional(Box::unlimited());
+        return is_behind ? Box{} : Box::unlimited();
     }
     box = widen(box, size, nearest);
     for (std::size_t i = 0; i < 3; ++i)
@@ -89,13 +88,12 @@ std::optional<Box> BoxProjection::before_eye(const CornersWorld& p_world) const 
     return box;
 }
 
-std::optional<Box> BoxProjection::operator()(const glm::vec3& p_world) const {
+Box BoxProjection::operator()(const glm::vec3& p_world) const {
     const glm::dvec3 v = glm::dvec3(p_world) - glm::dvec3(camera_.eye_world);
     const glm::dvec3 p_camera = to_camera(v);
-    if (!(p_camera.z >= least_depth_)) return std::nullopt;
     Box box;
-    add(box, p_camera);
-    return box.is_empty() ? std::nullopt : std::optional(widen(box, size_of(v), least_depth_));
+    if (p_camera.z >= least_depth_) add(box, p_camera);
+    return box.is_empty() ? box : widen(box, size_of(v), least_depth_);
 }
 
 glm::dvec3 BoxProjection::to_camera(const glm::dvec3& v) const {

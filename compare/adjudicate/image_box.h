@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <optional>
 
 #include "compare/bounds/bounds.h"
 
@@ -30,7 +29,6 @@ struct Box {
     void widen(double by) { left -= by, top -= by, right += by, bottom += by; }
     bool is_empty() const { return !(left <= right && top <= bottom); }
     static Box unlimited() { return {-without_end, -without_end, without_end, without_end}; }
-    bool fits(double side) const { return right - left <= side && bottom - top <= side; }
     bool operator==(const Box&) const = default;
     bool meets(const Box& o) const {
         return left <= o.right && o.left <= right && top <= o.bottom && o.top <= bottom;
@@ -47,14 +45,12 @@ class BoxProjection {
   public:
     explicit BoxProjection(const View& view);
 
-    /// The box around the image of what a triangle has beyond half the near depth; nothing where that is
-    /// none.
-    std::optional<Box> operator()(const CornersWorld& p_world) const;
+    /// The box around the image of what a triangle has beyond half the near depth; empty where that is none.
+    Box operator()(const CornersWorld& p_world) const;
     /// The box around all that it has before the eye, however near, in a perspective.
-    std::optional<Box> before_eye(const CornersWorld& p_world) const;
-    /// The box around one corner's image; nothing where it lies nearer than half the near depth or is no
-    /// place.
-    std::optional<Box> operator()(const glm::vec3& p_world) const;
+    Box before_eye(const CornersWorld& p_world) const;
+    /// The box around one corner's image; empty where it lies nearer than half the near depth or is no place.
+    Box operator()(const glm::vec3& p_world) const;
 
   private:
     struct InCamera {

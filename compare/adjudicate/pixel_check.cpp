@@ -49,20 +49,12 @@ PixelCheck answers_at(const FramePair& frames, const UndecidedPixel& pixel) {
     return {check(frames.candidate), check(frames.reference)};
 }
 
-/// Decides an answer, if it is one; the reach that this needs, or 0.
-double decide(TileWork& work, const PixelQuery& query, const AnswerCheck& check, double searched_px,
-              QueryResult& decision) {
-    return check.is_invalid ? 0 : work.decide(query, searched_px, decision);
-}
-
 /// What is decided of an answer may bound its depth.
 void hold(AnswerCheck& check, const QueryResult& decided) {
     check.is_depth_admissible &= !(check.answer.camera_depth > decided.farthest_depth);
 }
 
 }  // namespace
-
-bool is_behind_the_eye(float depth, const View& view) { return depth < 0 && view.camera.near_depth >= 0; }
 
 bool is_invalid(const Answer& answer, std::size_t triangle_count) {
     if (std::isnan(answer.camera_depth)) return true;
@@ -80,20 +72,17 @@ void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixel
         const PixelCoord& place = pixels[i].place;
         PixelCheck pixel = answers_at(frames, pixels[i]);
         if (pixels[i].is_id_undecided) {
-            const auto query_of = [&](const BoundedFrame& frame, const AnswerCheck& check) {
-                return PixelQuery{&frame.bounds,
-                                  check.answer.primitive,
-                                  place.x,
-                                  place.y,
-                                  pixel.ids_differ() ? AskedReason::the_first : AskedReason::any,
-                                  check.answer.camera_depth};
+            // decides an answer, if it is one; the reach that this needs, or 0
+            const auto decide = [&](const BoundedFrame& frame, const AnswerCheck& check, QueryResult& said) {
+                const AskedReason reason = pixel.ids_differ() ? AskedReason::the_first : AskedReason::any;
+                const PixelQuery query{&frame.bounds, check.answer.primitive,   place.x, place.y,
+                                       reason,        check.answer.camera_depth};
+                return check.is_invalid ? 0 : work.decide(query, searched_px, said);
             };
-            double needed_px = decide(work, query_of(candidate, pixel.candidate), pixel.candidate,
-                                      searched_px, pixel.candidate_decision);
+            double needed_px = decide(candidate, pixel.candidate, pixel.candidate_decision);
             if (pixel.ids_differ())
                 needed_px =
-                    std::max(needed_px, decide(work, query_of(frames.reference, pixel.reference),
-                                               pixel.reference, searched_px, pixel.reference_decision));
+                    std::max(needed_px, decide(frames.reference, pixel.reference, pixel.reference_decision));
             if (needed_px > 0) return needed_px;
             hold(pixel.candidate, pixel.candidate_decision);
             hold(pixel.reference, pixel.reference_decision);

@@ -11,10 +11,6 @@
 
 namespace zproof {
 
-/// Is the depth negative although the view shows nothing behind the eye? It is none where its bound does not
-/// admit it.
-bool is_behind_the_eye(float depth, const View& view);
-
 /// Whatever its bound is, no answer at all: NaN, an id out of range, background with a depth.
 bool is_invalid(const Answer& answer, std::size_t triangle_count);
 

@@ -85,10 +85,8 @@ void TileWork::look_at(const PixelQuery& query, double reach_px) {
 
 /// The eps of an answer, whether or not it is among the triangles seen.
 double TileWork::own_eps_px(const PixelQuery& query) const {
-    const auto is_answer = [&](const NearTriangle& s) {
-        return PrimitiveId(s.neighbour.triangle) == query.answer;
-    };
-    const auto found = std::ranges::find_if(seen_, is_answer);
+    const auto found = std::ranges::find(seen_, std::uint32_t(query.answer),
+                                         [](const NearTriangle& s) { return s.neighbour.triangle; });
     return found != seen_.end()
                ? found->neighbour.bounds.eps_px
                : zproof::own_eps_px(setting_.scene, setting_.view, *query.bounds, pixel_, query.answer);
@@ -133,11 +131,8 @@ bool TileWork::reaches_a_side() const {
 }
 
 bool TileWork::has_too_many_within(const PixelQuery& query, double reach_px) {
-    if (triangles_.count() <= most_neighbours) return false;
-    std::size_t count = 0;
-    for (std::size_t place = 0; place < triangles_.count(); ++place)
-        count += distance_px_from(triangles_.box(place, *query.bounds), {query.x, query.y}) <= reach_px;
-    return count > most_neighbours;
+    return triangles_.count() > most_neighbours &&
+           triangles_within(reach_px, {query.x, query.y}, *query.bounds).size() > most_neighbours;
 }
 
 /// What is shown is what was compared. Where only the depth bounds admit an answer, and where its own is

@@ -42,10 +42,10 @@ TriangleSearch::TriangleSearch(const Scene& scene, const View& view, Renderers r
     tbb::parallel_for(std::size_t(0), (vertices_.size() + together - 1) / together, [&](std::size_t some) {
         const std::size_t end = std::min((some + 1) * together, vertices_.size());
         for (std::size_t i = some * together; i < end; ++i) {
-            const auto box = projection_(scene.vertices.position_world[i]);
-            vertices_[i] = box ? VertexBox{rounded_down(box->left), rounded_down(box->top),
-                                           rounded_up(box->right), rounded_up(box->bottom)}
-                               : VertexBox{-HUGE_VALF, -HUGE_VALF, HUGE_VALF, HUGE_VALF};
+            const Box box = projection_(scene.vertices.position_world[i]);
+            vertices_[i] = box.is_empty() ? VertexBox{-HUGE_VALF, -HUGE_VALF, HUGE_VALF, HUGE_VALF}
+                                          : VertexBox{rounded_down(box.left), rounded_down(box.top),
+                                                      rounded_up(box.right), rounded_up(box.bottom)};
         }
     });
     find_near_triangles(view, renderers);
@@ -53,9 +53,9 @@ TriangleSearch::TriangleSearch(const Scene& scene, const View& view, Renderers r
 
 void TriangleSearch::find_near_triangles(const View& view, Renderers renderers) {
     const auto boxes_of_near = [&](const CornersWorld& p_world) {
-        const Box before_eye = projection_.before_eye(p_world).value_or(Box{});
+        const Box before_eye = projection_.before_eye(p_world);
         if (before_eye.is_empty()) return ImageBoxes{};
-        const Box beyond_half_near = projection_(p_world).value_or(Box{});
+        const Box beyond_half_near = projection_(p_world);
         for (const ViewBounds* bounds : renderers)
             if (!(bounds->of(p_world).near_slack < view.camera.near_depth / 2))
                 return ImageBoxes{before_eye, beyond_half_near};

@@ -14,12 +14,6 @@ namespace zproof {
 
 namespace {
 
-/// The largest eps anywhere on the triangle.
-double most_eps_px(const TriangleBounds& bounds) {
-    return bounds.eps_base_px +
-           bounds.eps_per_inverse_depth * CornerInverseDepth(bounds.nearest, bounds.farthest).highest;
-}
-
 /// Marks the pixels at which a triangle's edges, and its cuts by near and far, pass nearer than the reference
 /// may be off, where the candidate may be off by less. Its functionals are those of pixel indices.
 class CoarseOutline {
@@ -34,7 +28,7 @@ class CoarseOutline {
           first_(
               seen_at(ViewRay<double>(view_, 0, 0), {frames.reference.bounds, p_world_, in_view_.extent})) {
         box_ = box;
-        if (is_shown) box_.widen(most_eps_px(reference_) + 1);
+        if (is_shown) box_.widen(reference_.most_eps_px() + 1);
         box_ = {std::max(box_.left - 0.5, 0.0), std::max(box_.top - 0.5, 0.0),
                 std::min(box_.right - 0.5, view_.width - 1.0),
                 std::min(box_.bottom - 0.5, view_.height - 1.0)};
@@ -165,10 +159,10 @@ Plane<std::uint8_t> find_unproven_pixels(const FramePair& frames) {
     const std::vector<std::uint8_t> is_shown = shown_by(frames.reference.frame, count);
     tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
         const CornersWorld p_world = corners_of(frames.scene, std::uint32_t(i));
-        const Box box = project(p_world).value_or(Box{});
+        const Box box = project(p_world);
         if (box.is_empty() || !(is_shown[i] || holds_a_centre(box))) return;
         const TriangleBounds bounds = frames.reference.bounds.of(p_world);
-        if (!(most_eps_px(bounds) <= fine_px) || bounds.may_be_missing ||
+        if (!(bounds.most_eps_px() <= fine_px) || bounds.may_be_missing ||
             bounds.may_be_clipped(frames.view.camera))
             CoarseOutline(frames, std::uint32_t(i), box, is_shown[i] != 0).mark(is_unproven);
     });

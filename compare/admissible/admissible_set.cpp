@@ -535,16 +535,15 @@ std::optional<HalfPlanes<Number>> AdmissibleSet<Number>::true_cover(size_t occlu
 }
 
 template <class Number>
-std::vector<Region<Number>> AdmissibleSet<Number>::visible_parts(size_t index) {
-    for (const Piece& piece : seen_pieces(index)) {
+bool AdmissibleSet<Number>::is_visible(size_t index) {
+    return std::ranges::any_of(seen_pieces(index), [&](const Piece& piece) {
         std::vector<Region<Number>> left{piece.region};
         for (const size_t o : front_to_back_) {
             if (o == index || left.empty() || !may_occlude(o)) continue;
             if (const auto hiding = true_cover(o, piece)) left = left_of(left, *hiding);
         }
-        if (!left.empty()) return left;
-    }
-    return {};
+        return !left.empty();
+    });
 }
 
 template <class Number>

@@ -45,9 +45,7 @@ class AdmissibleSet {
     void set_half_side(double half_side_px);
 
     /// Is the triangle (an index into neighbours) truly visible somewhere in the square?
-    bool is_visible(size_t index) { return !visible_parts(index).empty(); }
-    /// The parts of it that are, those of one of its pieces.
-    std::vector<Region<Number>> visible_parts(size_t index);
+    bool is_visible(size_t index);
     /// Can it be answered by a renderer that moves corners by up to eps: does it meet the square, and is the
     /// square not wholly covered by triangles in front of it? Edges that it shares with an occluder move
     /// together: one that both have on the same side does not bound the occluder, and beyond one with each on

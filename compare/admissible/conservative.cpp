@@ -35,8 +35,7 @@ PlaneLimits limits_of(const Camera& c, const Neighbour& n) {
 ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answer)
     : around_(around),
       error_scale_(2 * std::max(1.0, around.eps_px)),
-      is_known_(std::isfinite(around.eps_px)),
-      is_asked_(is_known_) {
+      is_asked_(std::isfinite(around.eps_px)) {
     others_.reserve(around.neighbours.size());
     for (const Neighbour& n : around.neighbours) {
         const bool is_answer = PrimitiveId(n.triangle) == answer;
@@ -48,8 +47,7 @@ ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answ
         else if (!n.may_be_missing)
             others_.push_back(&n);
     }
-    is_known_ &= answer == PrimitiveId::none || answer_;
-    is_asked_ &= is_known_;
+    is_asked_ &= answer == PrimitiveId::none || answer_;
 }
 
 /// Does the triangle miss the square for certain? Where the sign of its edges is not certain, edges of both
@@ -167,18 +165,6 @@ bool ConservativeTest::hides_in(const Neighbour& n, double half_side_px) const {
     const bool is_in_front =
         ahead.c - reach(ahead, half_side_px) > inverse_depth_error(n) + inverse_depth_error(*answer_);
     return is_in_front || coplanar(n.p_world, answer_->p_world);
-}
-
-bool ConservativeTest::is_seen_at_centre() const {
-    return is_known_ && (!answer_ || lies_between_planes(*answer_)) && is_seen_at({0, 0});
-}
-
-/// Does it lie between near and far, where they are, at the centre?
-bool ConservativeTest::lies_between_planes(const Neighbour& n) const {
-    const Camera& c = around_.view.camera;
-    const double error = inverse_depth_error(n);
-    return n.is_trusted && n.image->inverse_depth.c + error < inverse_depth_of(c.near_depth, c.projection) &&
-           n.image->inverse_depth.c - error > inverse_depth_of(c.far_depth, c.projection);
 }
 
 auto ConservativeTest::finding() const -> Finding {

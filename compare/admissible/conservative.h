@@ -24,8 +24,6 @@ class ConservativeTest {
     enum class Finding { visible, tied, undecided };
     /// Visible, and no plane cuts anything in the square; or tied (admissibility.h).
     Finding finding() const;
-    /// Is it visible, or clipped, since nothing hides it at the centre?
-    bool is_seen_at_centre() const;
 
     enum class Visibility { yes, no, undecided };
     /// Is it seen in the square of that half-side, at most eps: what AdmissibleSet::is_seen() and, for
@@ -51,7 +49,6 @@ class ConservativeTest {
     bool is_outside(const Neighbour& n, const PixelOffset& at) const;
     bool is_behind_answer(const Neighbour& n, const PixelOffset& at) const;
     bool is_clear_of_planes(const Neighbour& n) const;
-    bool lies_between_planes(const Neighbour& n) const;
     bool keeps_between_planes(const Neighbour& n, double half_side_px) const;
     bool is_seen_at(const PixelOffset& at) const;
     bool is_held_at(const PixelOffset& at) const;
@@ -68,8 +65,7 @@ class ConservativeTest {
     double error_scale_;
     const Neighbour* answer_ = nullptr;     ///< none for background
     std::vector<const Neighbour*> others_;  ///< that do not miss the square for certain, without the answer's
-    bool is_known_ = false;                 ///< is there such an answer?
-    bool is_asked_ = false;                 ///< is its image certain as well, and cuts no plane anything?
+    bool is_asked_ = false;  ///< is there such an answer, its image certain, and cuts no plane anything?
 };
 
 }  // namespace zproof

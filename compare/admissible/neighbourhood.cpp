@@ -11,24 +11,37 @@ namespace {
 
 double steepness(const Affine<double>& f) { return std::abs(f.a) + std::abs(f.b); }
 
-bool is_known(const std::optional<PlaneHere>& plane) { return plane && std::isfinite(plane->error); }
-
-LocalBounds bounds_at(const BoundedTriangle& triangle, const std::optional<PlaneHere>& plane) {
-    const double nearest = triangle.bounds.nearest, highest = nearest > 0 ? 1 / nearest : 0;
-    return triangle.bounds.at(plane ? plane->inverse_depth : highest, plane ? plane->gradient : 0);
+/// The image's plane over eps, clamped to the corners' inverse depths where the renderer keeps to them.
+InverseDepthRange on_plane(const Neighbour& n, const InverseDepthRange& corners, bool keeps_to_corners) {
+    const double shift =
+        n.bounds.depth_eps_px * (n.gradient + n.plane_error) + n.plane_error + n.bounds.inverse_depth_error;
+    const double middle = n.image->inverse_depth.c + n.bounds.inverse_depth_bias;
+    const double low = middle - shift, high = middle + shift;
+    const double least = std::clamp(low, corners.least, corners.greatest);
+    const double greatest = std::clamp(high, least, corners.greatest);
+    return {keeps_to_corners ? least : low, keeps_to_corners ? greatest : high};
 }
 
-InverseDepthRange inverse_depth_range(const BoundedTriangle& triangle, const std::optional<PlaneHere>& plane,
-                                      const LocalBounds& bounds, Projection projection) {
-    const bool perspective = projection == Projection::perspective, keeps = triangle.keeps_to_corners;
-    const double farthest = triangle.bounds.farthest, nearest = triangle.bounds.nearest;
-    const InverseDepthRange corners{inverse_depth_of(farthest, projection),
-                                    inverse_depth_of(nearest, projection)};
+/// The range widened by what rounding does to depth. Divisions come first; what they give is chosen
+/// afterwards.
+InverseDepthRange rounded(const InverseDepthRange& range, const LocalBounds& bounds, bool perspective) {
+    const double r = bounds.depth_relative, a = bounds.depth_absolute;
+    const double least_abs = std::abs(range.least), greatest_abs = std::abs(range.greatest);
+    if (!perspective) return {range.least - least_abs * r - a, range.greatest + greatest_abs * r + a};
+    const double share = r + a * greatest_abs;
+    const double greatest = range.greatest + greatest_abs * share / (1 - share);
+    return {range.least - least_abs * (r + a * least_abs), share < 1 ? greatest : unlimited};
+}
+
+InverseDepthRange inverse_depth_range(const Neighbour& n, bool keeps_to_corners, Projection projection) {
     const bool is_bounded =
-        std::isfinite(bounds.depth_relative + bounds.depth_absolute + bounds.inverse_depth_error) &&
-        (is_known(plane) || keeps);
+        std::isfinite(n.bounds.depth_relative + n.bounds.depth_absolute + n.bounds.inverse_depth_error) &&
+        (n.is_plane_known || keeps_to_corners);
     if (!is_bounded) return any_inverse_depth;
-    return rounded(plane ? on_plane(*plane, bounds, corners, keeps) : corners, bounds, perspective);
+    const InverseDepthRange corners{inverse_depth_of(n.farthest, projection),
+                                    inverse_depth_of(n.nearest, projection)};
+    return rounded(n.image ? on_plane(n, corners, keeps_to_corners) : corners, n.bounds,
+                   projection == Projection::perspective);
 }
 
 double size_of(const Vector3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
@@ -91,10 +104,9 @@ Neighbour seen_at(const ViewRay<double>& ray, const BoundedTriangle& triangle) {
 
 void set_bounds(Neighbour& n, const BoundedTriangle& triangle, Projection projection) {
     static_cast<TriangleLimits&>(n) = triangle.bounds;
-    std::optional<PlaneHere> plane;
-    if (n.image) plane = PlaneHere{n.image->inverse_depth.c, n.gradient, n.plane_error};
-    n.bounds = bounds_at(triangle, plane);
-    const InverseDepthRange range = inverse_depth_range(triangle, plane, n.bounds, projection);
+    const double of_nearest = n.nearest > 0 ? 1 / n.nearest : 0;
+    n.bounds = BoundsOnPlane(triangle.bounds, n.gradient).at(n.image ? n.image->inverse_depth.c : of_nearest);
+    const InverseDepthRange range = inverse_depth_range(n, triangle.keeps_to_corners, projection);
     n.least_inverse_depth = range.least;
     n.greatest_inverse_depth = range.greatest;
 }

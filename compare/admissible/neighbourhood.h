@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "compare/bounds/bounds.h"
-#include "compare/bounds/inverse_depth_range.h"
 #include "compare/bounds/pixel_coord.h"
 #include "compare/bounds/triangle_image.h"
 #include "frame/frame.h"

@@ -79,14 +79,6 @@ class Region {
         return std::ranges::any_of(corners_, [&](const Corner& c) { return sign_at(c, line) == 0; });
     }
 
-    /// The mean of the corners.
-    std::array<Number, 2> middle() const {
-        std::array<Number, 2> sum{Number(0), Number(0)};
-        for (const Corner& c : corners_) sum = {sum[0] + c.x, sum[1] + c.y};
-        const Number count{double(corners_.size())};
-        return {sum[0] / count, sum[1] / count};
-    }
-
   private:
     struct Corner {
         Number x, y;

@@ -78,11 +78,11 @@ InverseDepthRange ViewBounds::compared_at(double depth) const {
 InverseDepthRange ViewBounds::compared_before_steps(double depth) const {
     const auto* ray = std::get_if<RayBounds>(&of_kind_);
     if (!(raster() && raster()->shows_what_it_compares()) && !(ray && ray->has_depth_of_distance()))
-        return {-unlimited, unlimited};
+        return any_inverse_depth;
     const double here = inverse_depth_of(depth, projection()),
                  error = std::abs(here) * gamma(2, unit_roundoff_float32) +
                          (raster() ? raster()->decoding_error(facts_) : 0);
-    return facts_.perspective && !(depth > 0) ? InverseDepthRange{-unlimited, unlimited}
+    return facts_.perspective && !(depth > 0) ? any_inverse_depth
                                               : InverseDepthRange{here - error, here + error};
 }
 

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "scenes/camera.h"
 
 namespace zproof {
+
+/// A bound where nothing is known.
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// Camera depths [low, high], and the true depth at the pixel's centre.
 struct DepthBound {
@@ -16,6 +20,7 @@ struct DepthBound {
 struct InverseDepthRange {
     double least, greatest;
 };
+inline constexpr InverseDepthRange any_inverse_depth{-unlimited, unlimited};
 inline double inverse_depth_of(double depth, Projection projection) {
     return projection == Projection::perspective ? 1 / depth : -depth;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/bounds/depth_bound.h"
 #include "compare/bounds/roundings.h"
 
 namespace zproof {

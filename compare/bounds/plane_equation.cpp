@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "compare/bounds/triangle_bounds.h"
 #include "math/rounding.h"
 
 namespace zproof {

@@ -40,7 +40,6 @@ struct PlaneEquationBounds {
 };
 
 /// The worst of any three corners of the polygon: however it is cut into triangles, they are among them.
-/// `width` and `height` are the image's.
 PlaneEquationBounds plane_equation_bounds(std::span<const WindowCorner> polygon, const CornerShift& shift,
                                           const View& view);
 

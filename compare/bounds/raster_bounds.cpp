@@ -73,6 +73,19 @@ double largest_z(std::span<const WindowCorner> polygon) {
     return largest;
 }
 
+/// Weights of which some are negative, by `negative` in all, reach beyond the sides that near and far made.
+void add_reach_beyond_planes(TriangleBounds& bounds, const ViewFacts& facts,
+                             std::span<const WindowCorner> polygon, double negative) {
+    if (polygon.empty()) return;
+    const auto [low, high] = std::ranges::minmax(polygon, {}, &WindowCorner::inverse_depth);
+    const double range = high.inverse_depth - low.inverse_depth;
+    const double beyond = range > 0 ? negative * range : 0;  // weights may be unlimited
+    const Camera& c = facts.view.camera;
+    bounds.near_slack += facts.perspective ? beyond * c.near_depth * c.near_depth : beyond;
+    if (std::isfinite(c.far_depth))
+        bounds.far_slack += facts.perspective ? c.far_depth * compounded(beyond * c.far_depth) : beyond;
+}
+
 }  // namespace
 
 RasterBounds::RasterBounds(const ViewFacts& facts, const RasterPrecision& precision)
@@ -161,7 +174,7 @@ TriangleBounds RasterBounds::of(const ViewFacts& facts, const TriangleExtent& ex
     const double transform = transform_error(facts, counted_cuts(facts, extent));
     TriangleBounds bounds = of_corners(facts, extent, transform);
     bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gammas[8] * extent.size.largest_depth();
-    if (has_plain_depth() && has_plain_coverage()) return bounds;
+    if (keeps_to_corners()) return bounds;
     const std::vector<WindowCorner> polygon =
         window_polygon(facts, extent, precision_.clipping, z_range(facts.view.camera, precision_));
     if (!has_plain_depth()) set_z(bounds, facts, extent, polygon, transform);
@@ -207,7 +220,7 @@ double RasterBounds::decoding_error(const ViewFacts& facts) const {
 }
 
 InverseDepthRange RasterBounds::storable(const ViewFacts& facts) const {
-    if (precision_.depth_buffer == DepthBuffer::camera_depth) return {-unlimited, unlimited};
+    if (precision_.depth_buffer == DepthBuffer::camera_depth) return any_inverse_depth;
     const ZRange z = z_range(facts.view.camera, precision_);
     // a float may pass the ends by the roundings of corners and mean; steps do not
     const double beyond = step_of_z(precision_.depth_format) == 0 ? gammas_of_z()[12] : 0;
@@ -263,8 +276,11 @@ void RasterBounds::add_coverage(TriangleBounds& bounds, const ViewFacts& facts, 
     bounds.eps_base_px += std::max(edges, areas.edges_px) + tolerance_eps_px(facts, extent);
     if (precision_.depth_interpolation == DepthInterpolation::barycentrics)
         add_weights(bounds, facts, areas, polygon);
-    if (precision_.least_area_px2 > 0)
-        bounds.may_be_missing = least_area_px2(facts, extent, areas, drift) < precision_.least_area_px2;
+    if (precision_.least_area_px2 == 0) return;
+    // what displacement leaves of it; where near cuts it, of the smallest piece
+    const auto triangle = window_triangle(facts, extent);
+    bounds.may_be_missing =
+        (triangle ? triangle->least_area_px2(drift) : areas.least_px2) < precision_.least_area_px2;
 }
 
 /// Weights err, and may be negative where a point counts as inside by error or by tolerance.
@@ -279,20 +295,6 @@ void RasterBounds::add_weights(TriangleBounds& bounds, const ViewFacts& facts, c
     (has_plain_depth() ? bounds.depth_factor : bounds.inverse_depth_error) +=
         has_plain_depth() || areas.of_area == 0 ? areas.of_area : areas.of_area * largest_z(polygon) / slope;
     if (areas.of_weights > 0) bounds.inverse_depth_error += areas.of_weights * largest_z(polygon) / slope;
-}
-
-/// Weights of which some are negative, by `negative` in all, reach beyond the sides that near and far made.
-void RasterBounds::add_reach_beyond_planes(TriangleBounds& bounds, const ViewFacts& facts,
-                                           std::span<const WindowCorner> polygon, double negative) {
-    if (polygon.empty()) return;
-    const auto [low, high] =
-        std::ranges::minmax(polygon, {}, [](const WindowCorner& corner) { return corner.inverse_depth; });
-    const double range = high.inverse_depth - low.inverse_depth;
-    const double beyond = range > 0 ? negative * range : 0;  // weights may be unlimited
-    const Camera& c = facts.view.camera;
-    bounds.near_slack += facts.perspective ? beyond * c.near_depth * c.near_depth : beyond;
-    if (std::isfinite(c.far_depth))
-        bounds.far_slack += facts.perspective ? c.far_depth * compounded(beyond * c.far_depth) : beyond;
 }
 
 void RasterBounds::add_homogeneous(TriangleBounds& bounds, const ViewFacts& facts,
@@ -314,13 +316,6 @@ void RasterBounds::add_homogeneous(TriangleBounds& bounds, const ViewFacts& fact
     const Camera& c = facts.view.camera;
     bounds.near_slack += slack(c.near_depth);
     bounds.far_slack += std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
-}
-
-/// What displacement leaves of a triangle's area; where near cuts it, of the smallest piece.
-double RasterBounds::least_area_px2(const ViewFacts& facts, const TriangleExtent& extent,
-                                    const WindowAreas& areas, double drift_px) {
-    const auto triangle = window_triangle(facts, extent);
-    return triangle ? triangle->least_area_px2(drift_px) : areas.least_px2;
 }
 
 double RasterBounds::edge_functions_eps_px(const ViewFacts& facts, const TriangleExtent& extent) const {

@@ -47,8 +47,6 @@ class RasterBounds {
     /// Adds what rounded edge functions, tolerances and areas do.
     void add_coverage(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
                       std::span<const WindowCorner> polygon) const;
-    static double least_area_px2(const ViewFacts& facts, const TriangleExtent& extent,
-                                 const WindowAreas& areas, double drift_px);
     double edge_functions_eps_px(const ViewFacts& facts, const TriangleExtent& extent) const;
     double tolerance_eps_px(const ViewFacts& facts, const TriangleExtent& extent) const;
     /// The largest displacement of a corner of the polygon.
@@ -56,8 +54,6 @@ class RasterBounds {
     /// Adds what weights err by where depth is their mean.
     void add_weights(TriangleBounds& bounds, const ViewFacts& facts, const WindowAreas& areas,
                      std::span<const WindowCorner> polygon) const;
-    static void add_reach_beyond_planes(TriangleBounds& bounds, const ViewFacts& facts,
-                                        std::span<const WindowCorner> polygon, double negative);
     /// Adds what edge functions and depth err by where nothing is divided before. `transform` as above.
     void add_homogeneous(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
                          double transform) const;

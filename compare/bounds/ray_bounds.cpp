@@ -131,11 +131,6 @@ TriangleBounds RayBounds::on_plane(const ViewFacts& facts, const TriangleSize& s
     return bounds;
 }
 
-/// Frames hold float32: a wider depth is rounded once more on its way there.
-double RayBounds::framing() const {
-    return precision_.arithmetic == Arithmetic::float64 ? unit_roundoff_float32 : 0;
-}
-
 TriangleBounds RayBounds::of(const ViewFacts& facts, const TriangleExtent& extent) const {
     TriangleSize size = extent.size;
     if (precision_.world_absolute > 0)
@@ -162,7 +157,11 @@ TriangleBounds RayBounds::of(const ViewFacts& facts, const TriangleExtent& exten
             bounds.eps_per_inverse_depth = 0;
         }
     }
-    if (precision_.hit_point == HitPoint::barycentrics) add_hit_point(bounds, extent, edges);
+    if (precision_.hit_point == HitPoint::barycentrics) {
+        // weights err as edges do; a point of them has 6 roundings, and 5 more on its way into the camera
+        bounds.depth_eps_base_px += 2 * edges;
+        bounds.depth_absolute += gammas_of(unit_)[11] * size.from_origin.z;
+    }
     if (precision_.world_absolute > 0) add_world_error(bounds, facts);
     const auto slack = [&](double plane_depth) {
         const double share = compounded(unit_ + bounds.depth_factor + bounds.plane_offset * plane_depth);
@@ -171,7 +170,8 @@ TriangleBounds RayBounds::of(const ViewFacts& facts, const TriangleExtent& exten
     const Camera& c = facts.view.camera;
     bounds.near_slack = slack(c.near_depth);
     bounds.far_slack = std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
-    bounds.depth_factor += framing();
+    // frames hold float32: a wider depth is rounded once more on its way there
+    if (precision_.arithmetic == Arithmetic::float64) bounds.depth_factor += unit_roundoff_float32;
     bounds.may_be_missing = may_be_missed(facts, extent);
     return bounds;
 }
@@ -213,12 +213,6 @@ double RayBounds::tolerance_px_times_depth(const ViewFacts& facts, const Triangl
             std::max(largest, facts.distance_px(precision_.barycentric_tolerance * extent.size.plane.volume,
                                                 edge_moment(facts, extent, edge)));
     return largest;
-}
-
-/// Weights err as edges do; a point of them has 6 roundings, and 5 more on its way into the camera.
-void RayBounds::add_hit_point(TriangleBounds& bounds, const TriangleExtent& extent, double edges_px) const {
-    bounds.depth_eps_base_px += 2 * edges_px;
-    bounds.depth_absolute += gammas_of(unit_)[11] * extent.size.from_origin.z;
 }
 
 void RayBounds::add_world_error(TriangleBounds& bounds, const ViewFacts& facts) const {

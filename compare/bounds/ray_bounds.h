@@ -29,10 +29,8 @@ class RayBounds {
     /// What the triangle's rounded corners move in the image, px times depth.
     double corners_px_times_depth(const ViewFacts& facts, const TriangleExtent& extent) const;
     double tolerance_px_times_depth(const ViewFacts& facts, const TriangleExtent& extent) const;
-    void add_hit_point(TriangleBounds& bounds, const TriangleExtent& extent, double edges_px) const;
     void add_world_error(TriangleBounds& bounds, const ViewFacts& facts) const;
     bool may_be_missed(const ViewFacts& facts, const TriangleExtent& extent) const;
-    double framing() const;
 
     RayPrecision precision_;
     double unit_;

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "compare/bounds/depth_terms.h"
-#include "scenes/camera.h"
+#include "compare/bounds/depth_bound.h"
 
 namespace zproof {
 
@@ -50,22 +49,75 @@ struct TriangleBounds : TriangleLimits {
     double inverse_depth_bias = 0;   ///< z-buffer: what z that is cut off adds on average
     double plane_offset = 0;         ///< ray: error of (normal . direction) / volume, in inverse depth
 
-    /// The bounds at a place where inverse depth is `inverse_depth` and changes by `gradient` (|d/dx| +
-    /// |d/dy|) per pixel.
-    LocalBounds at(double inverse_depth, double gradient) const;
     /// Displaces the place of depth as far as coverage.
     void displace_depth_alike() {
         depth_eps_base_px = eps_base_px;
         depth_eps_per_inverse_depth = eps_per_inverse_depth;
     }
+    /// The largest eps anywhere on the triangle: at its nearest corner.
+    double most_eps_px() const {
+        const double highest = nearest > 0 ? 1 / nearest : 0;
+        return eps_base_px + (eps_per_inverse_depth > 0 ? eps_per_inverse_depth * highest : 0);
+    }
 };
 
-/// The local bounds at many places of one triangle: what does not change from pixel to pixel is worked out
-/// once.
+/// 1 / (1 - sum) - 1: what factors and divisors whose relative errors add up to `sum` may come to (Higham
+/// 2002, Lemma 3.1); unlimited from 1 up.
+inline double compounded(double sum) {
+    const double share = sum / (1 - sum);
+    return sum < 1 ? share : unlimited;
+}
+
+/// `a` held between two limits.
+inline double held_between(double a, double low, double high) {
+    const double raised = a < low ? low : a;
+    return high < raised ? high : raised;
+}
+
+/// eps = base + per (inverse depth + gradient eps), solved for eps; never beyond the nearest corner's.
+struct Displacement {
+    Displacement() = default;
+    Displacement(double base_px, double per_inverse_depth, double gradient, double highest)
+        : base(base_px), per(per_inverse_depth), most(base + per * highest) {
+        const double loop = per * gradient, enlarged = 1 / (1 - loop);
+        amplification = loop < 1 ? enlarged : unlimited;
+    }
+
+    double at(double inverse_depth) const {
+        const double reach = (base + per * inverse_depth) * amplification, kept = reach < most ? reach : most;
+        return per == 0 ? base : kept;
+    }
+
+    double base = 0, per = 0, most = 0, amplification = 1;
+};
+
+/// The inverse depth of the farthest and the nearest corner.
+struct CornerInverseDepth {
+    CornerInverseDepth() = default;
+    CornerInverseDepth(double nearest_depth, double farthest_depth) {
+        const double of_farthest = 1 / farthest_depth, of_nearest = 1 / nearest_depth;
+        least = farthest_depth > 0 ? of_farthest : 0;  // 0 at infinity, too
+        highest = nearest_depth > 0 ? of_nearest : 0;
+    }
+
+    double least = 0, highest = 0;
+};
+
+/// The local bounds at many places of one triangle, on which inverse depth changes by `gradient` (|d/dx| +
+/// |d/dy|) per pixel. Without branches, so that the compiler works on several pixels at a time.
 class BoundsOnPlane {
   public:
     BoundsOnPlane() = default;
-    BoundsOnPlane(const TriangleBounds& bounds, double gradient);
+    BoundsOnPlane(const TriangleBounds& b, double gradient)
+        : corners_(b.nearest, b.farthest),
+          eps_px_(b.eps_base_px, b.eps_per_inverse_depth, gradient, corners_.highest),
+          depth_eps_px_(b.depth_eps_base_px, b.depth_eps_per_inverse_depth, gradient, corners_.highest),
+          depth_factor_(b.depth_factor),
+          depth_share_(b.depth_share),
+          plane_offset_(b.plane_offset),
+          everywhere_{.depth_absolute = b.depth_absolute,
+                      .inverse_depth_error = b.inverse_depth_error,
+                      .inverse_depth_bias = b.inverse_depth_bias} {}
 
     LocalBounds at(double inverse_depth) const {
         const double here = held_between(inverse_depth, corners_.least, corners_.highest);

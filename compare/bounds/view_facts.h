@@ -1,11 +1,22 @@
 /// What the bounds of every renderer take from a view.
 #pragma once
 
-#include "compare/bounds/depth_terms.h"
 #include "compare/bounds/triangle_extent.h"
 #include "scenes/view.h"
 
 namespace zproof {
+
+/// What a displaced point moves in the image.
+struct ImageScale {
+    double px_per_u, px_per_v;  ///< pixels per unit of the image plane
+    double slant_u, slant_v;    ///< largest |d(u, v)/d depth| of a view ray in the image
+
+    /// Largest displacement in the image, px times depth, of errors of camera_abs along the camera's axes.
+    double lateral_px(const glm::dvec3& camera_abs) const {
+        return std::max(px_per_u * (camera_abs.x + slant_u * camera_abs.z),
+                        px_per_v * (camera_abs.y + slant_v * camera_abs.z));
+    }
+};
 
 /// A share of far - near; nothing is known without a finite far.
 inline double depth_of_range(const Camera& c, double share) {

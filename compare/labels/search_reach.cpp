@@ -17,12 +17,6 @@ namespace {
 /// no answer.
 constexpr double least_px = 1.0 / 16;
 
-/// The largest eps of a triangle: at its nearest corner.
-double largest_eps_px(const ViewBounds& bounds, const CornersWorld& p_world) {
-    const TriangleBounds of_triangle = bounds.of(p_world);
-    return of_triangle.at(of_triangle.nearest > 0 ? 1 / of_triangle.nearest : 0, 0).eps_px;
-}
-
 }  // namespace
 
 SearchReach::SearchReach(const Scene& scene, const View& view, const ViewBounds& bounds)
@@ -31,10 +25,10 @@ SearchReach::SearchReach(const Scene& scene, const View& view, const ViewBounds&
     tbb::enumerable_thread_specific<std::vector<Wide>> found;
     tbb::parallel_for(std::size_t(0), scene.triangles.size(), [&](std::size_t t) {
         const CornersWorld p_world = corners_of(scene, std::uint32_t(t));
-        const double most_px = largest_eps_px(bounds, p_world);
+        const double most_px = bounds.of(p_world).most_eps_px();
         if (most_px <= least_px) return;
-        if (const auto box = projection.before_eye(p_world))
-            found.local().push_back({std::uint32_t(t), most_px, *box});
+        if (const Box box = projection.before_eye(p_world); !box.is_empty())
+            found.local().push_back({std::uint32_t(t), most_px, box});
     });
     for (const auto& some : found) wide_.insert(wide_.end(), some.begin(), some.end());
     tbb::parallel_sort(wide_, [](const Wide& a, const Wide& b) {

@@ -136,12 +136,7 @@ class Surveyor {
     }
 
     double largest_eps(PrimitiveId id) const {
-        CornersWorld corners;
-        for (int i = 0; i < 3; ++i)
-            corners[std::size_t(i)] = scene_.vertices.position_world[scene_.triangles[std::size_t(id)][i]];
-        const TriangleBounds bounds = bounds_.of(corners);
-        return bounds.eps_base_px +
-               (bounds.eps_per_inverse_depth > 0 ? bounds.eps_per_inverse_depth / bounds.nearest : 0);
+        return bounds_.of(corners_of(scene_, std::uint32_t(id))).most_eps_px();
     }
 
     const Scene& scene_;

@@ -23,8 +23,8 @@ FrameAnswers answers_of(const Scene& scene, const View& view, const Frame& frame
     for (int y = 0; y < frame.size().height; ++y)
         for (int x = 0; x < frame.size().width; ++x) {
             const PixelAnswer a{{x, y}, {frame.primitive.at(x, y), frame.camera_depth.at(x, y)}};
-            const bool is_none = is_invalid(a.answer, scene.triangles.size()) ||
-                                 is_behind_the_eye(a.answer.camera_depth, view);
+            const bool is_behind_the_eye = a.answer.camera_depth < 0 && view.camera.near_depth >= 0,
+                       is_none = is_behind_the_eye || is_invalid(a.answer, scene.triangles.size());
             (is_none ? answers.none : answers.given).push_back(a);
         }
     return answers;

@@ -100,7 +100,7 @@ double largest_share_of_eps(const RasterPrecision& precision, const glm::vec3& m
         for (glm::vec3& corner : p)
             corner = corner_at(view.camera, rng.between(0.5, 20), rng.between(0, 1), rng.between(0, 1));
         const TriangleBounds of_triangle = bounds.of(p);
-        const double eps = of_triangle.at(1 / of_triangle.nearest, 0).eps_px;
+        const double eps = of_triangle.most_eps_px();
         const Transform<Float> transform(view, precision.origin);
         for (const glm::vec3& corner : p)
             largest = std::max(largest,
@@ -165,7 +165,7 @@ TEST(Bounds, NoCornerMadeByClippingStraysByMoreThanEps) {
         const ClipCorner<float> made = at_right_side(transform.clip(p[0]), transform.clip(p[1]), t);
         const ClipCorner<double> truly = at_right_side(exact.clip(p[0]), exact.clip(p[1]), t_true);
         const glm::dvec3 out(p[0]), in(p[1]);
-        const double eps = bounds.of(p).at(1 / truly.w, 0).eps_px;
+        const double eps = BoundsOnPlane(bounds.of(p), 0).at(1 / truly.w).eps_px;
         largest = std::max(
             largest, strays_by(view, out + t_true * (in - out), transform.raster(made, finest_grid)) / eps);
     }
@@ -271,7 +271,7 @@ Disagreements plane_ray_disagreements() {
         if (plane_ray_hits(view, p, 3, 3) == inside) continue;
         const ViewBounds bounds(view, PlaneRayPrecision{});
         const double inverse_depth = image->inverse_depth.c.convert_to<double>();
-        const double eps = bounds.of(p).at(inverse_depth, 0).eps_px;
+        const double eps = BoundsOnPlane(bounds.of(p), 0).at(inverse_depth).eps_px;
         ++disagreements.count;
         disagreements.largest_share = std::max(disagreements.largest_share, nearest_edge / eps);
     }

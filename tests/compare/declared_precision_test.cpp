@@ -92,9 +92,9 @@ TEST(DepthStep, AllowsHalfAStepAndNoMoreWhateverElseIsPromised) {
 TEST(DepthStep, CompoundsTheRoundingToFloat32) {
     const View view = pixel_view(perspective, 1, 1);
     const BoundedPrecision both{.eps_px = 1e-9, .depth_relative = 1e-3, .depth_absolute = 0.01};
-    const LocalBounds shown = ViewBounds::of_shown(view, in_steps(both, 0.02))
-                                  .of(corners_of(scene_of(view, {wall(64)}), 0))
-                                  .at(1.0 / 64, 0);
+    const TriangleBounds of_wall =
+        ViewBounds::of_shown(view, in_steps(both, 0.02)).of(corners_of(scene_of(view, {wall(64)}), 0));
+    const LocalBounds shown = BoundsOnPlane(of_wall, 0).at(1.0 / 64);
     EXPECT_DOUBLE_EQ(shown.depth_relative, compounded(u) + 1e-3 * (1 + u));
     EXPECT_DOUBLE_EQ(shown.depth_absolute, 0.02 * (1 + u));
 }

@@ -60,8 +60,8 @@ void expect_finer_at_other_pixels(const FramePair& pair, int& fine, int& listed)
                 const double eps_px = by_reference.bounds.eps_px;
                 const bool is_shown = pair.reference.frame.primitive.at(x, y) == PrimitiveId(i);
                 if (!is_shown && !(by_reference.image && comes_within(*by_reference.image, 0))) continue;
-                const auto box = BoxProjection(pair.view)(p_world);
-                if (!box || !box->meets(square_around(x, y, eps_px))) continue;  // beyond a tip
+                const Box box = BoxProjection(pair.view)(p_world);
+                if (!box.meets(square_around(x, y, eps_px))) continue;  // beyond a tip
                 if (!by_reference.image || !is_near_an_edge(*by_reference.image, eps_px)) continue;
                 ASSERT_LE(eps_px, by_candidate.bounds.eps_px) << x << ' ' << y << ' ' << i;
                 ++fine;
