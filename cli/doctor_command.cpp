@@ -31,10 +31,8 @@ void print_row(const std::string& name, const std::string& value) {
 }
 
 std::string usable_instructions() {
-    std::string names;
-    for (const InstructionSet set : instruction_sets())
-        names += (names.empty() ? "" : ", ") + std::string(name_of(set));
-    return names + " (" + std::string(name_of(widest_allowed())) + " is used)";
+    return joined(instruction_sets(), ", ", [](InstructionSet set) { return name_of(set); }) + " (" +
+           std::string(name_of(widest_allowed())) + " is used)";
 }
 
 void print_machine() {
