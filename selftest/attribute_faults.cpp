@@ -2,9 +2,9 @@
 #include <limits>
 #include <utility>
 
-#include "cli/selftest/catalogue.h"
-#include "cli/selftest/fault_pixel.h"
 #include "rasterizer/interpolation.h"
+#include "selftest/catalogue.h"
+#include "selftest/fault_pixel.h"
 
 namespace zproof::selftest {
 namespace {

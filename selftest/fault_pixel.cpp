@@ -1,4 +1,4 @@
-#include "cli/selftest/fault_pixel.h"
+#include "selftest/fault_pixel.h"
 
 #include <algorithm>
 #include <map>

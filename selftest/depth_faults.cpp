@@ -1,8 +1,8 @@
 #include <array>
 #include <cmath>
 
-#include "cli/selftest/catalogue.h"
-#include "cli/selftest/fault_pixel.h"
+#include "selftest/catalogue.h"
+#include "selftest/fault_pixel.h"
 
 namespace zproof::selftest {
 namespace {

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "cli/selftest/catalogue.h"
-#include "cli/selftest/fault_pixel.h"
+#include "selftest/catalogue.h"
+#include "selftest/fault_pixel.h"
 
 namespace zproof::selftest {
 namespace {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/selftest/catalogue.h"
 #include "compare/admissible/neighbourhood.h"
+#include "selftest/catalogue.h"
 
 namespace zproof::selftest {
 namespace {

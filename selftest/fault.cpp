@@ -1,10 +1,10 @@
-#include "cli/selftest/fault.h"
+#include "selftest/fault.h"
 
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
 
-#include "cli/selftest/catalogue.h"
+#include "selftest/catalogue.h"
 
 namespace zproof::selftest {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/selftest/test_scene.h"
+#include "selftest/test_scene.h"
 
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"

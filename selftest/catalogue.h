@@ -1,7 +1,7 @@
 /// The parts of the catalogue.
 #pragma once
 
-#include "cli/selftest/fault.h"
+#include "selftest/fault.h"
 
 namespace zproof::selftest {
 

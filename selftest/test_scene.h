@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/selftest/fault.h"
 #include "frame/plane.h"
 #include "scenes/loaded.h"
+#include "selftest/fault.h"
 
 namespace zproof::selftest {
 

@@ -1,10 +1,10 @@
-#include "cli/selftest/score.h"
+#include "selftest/score.h"
 
 #include <iomanip>
 #include <map>
 #include <sstream>
 
-#include "cli/selftest/test_scene.h"
+#include "selftest/test_scene.h"
 
 namespace zproof::selftest {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <compare>
 
-#include "cli/selftest/fault.h"
+#include "selftest/fault.h"
 
 namespace zproof::selftest {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "cli/selftest/fault.h"
 #include "program/selftest_score.h"
+#include "selftest/fault.h"
 
 namespace zproof::selftest {
 
