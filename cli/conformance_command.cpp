@@ -7,7 +7,6 @@
 #include "cli/judgement.h"
 #include "cli/measurement_run.h"
 #include "cli/outcome_code.h"
-#include "cli/renderers/registry.h"
 #include "cli/selected_scenes.h"
 #include "oracle/scratch_folder.h"
 #include "oracle/subprocess.h"
@@ -15,6 +14,7 @@
 #include "program/companion.h"
 #include "program/folder_names.h"
 #include "program/interrupt.h"
+#include "renderers/registry.h"
 #include "reports/conformance_report.h"
 
 namespace zproof {

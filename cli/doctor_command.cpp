@@ -5,8 +5,6 @@
 
 #include "cli/command_line/tree.h"
 #include "cli/commands.h"
-#include "cli/renderers/registry.h"
-#include "cli/renderers/vulkan_words.h"
 #include "frame/input_file.h"
 #include "frame/joined.h"
 #include "math/processor.h"
@@ -14,6 +12,8 @@
 #include "program/settings/apply.h"
 #include "program/usage_error.h"
 #include "program/version.h"
+#include "renderers/registry.h"
+#include "renderers/vulkan_words.h"
 #include "reports/wording.h"
 
 namespace zproof {

@@ -3,13 +3,13 @@
 #include "cli/commands.h"
 #include "cli/labelled_candidate.h"
 #include "cli/memory.h"
-#include "cli/renderers/registry.h"
 #include "compare/explanation/explain.h"
 #include "frame/printable.h"
 #include "program/common_arguments.h"
 #include "program/samples.h"
 #include "program/scene_selection.h"
 #include "program/usage_error.h"
+#include "renderers/registry.h"
 #include "scenes/judged_ranges.h"
 
 namespace zproof {

@@ -3,7 +3,6 @@
 
 #include "cli/commands.h"
 #include "cli/memory.h"
-#include "cli/renderers/registry.h"
 #include "frame/precision_text.h"
 #include "frame/printable.h"
 #include "frame/whole_file.h"
@@ -15,6 +14,7 @@
 #include "program/usage_error.h"
 #include "program/version.h"
 #include "program/work_progress.h"
+#include "renderers/registry.h"
 #include "reports/fit/fit_report.h"
 #include "reports/output_folder.h"
 #include "reports/pages/folder.h"

@@ -5,12 +5,12 @@
 #include <chrono>
 #include <memory>
 
-#include "cli/renderers/kept_input.h"
-#include "cli/renderers/registry.h"
-#include "cli/renderers/vulkan_words.h"
 #include "frame/joined.h"
 #include "program/nearest_word.h"
 #include "program/usage_error.h"
+#include "renderers/kept_input.h"
+#include "renderers/registry.h"
+#include "renderers/vulkan_words.h"
 
 namespace zproof {
 namespace {

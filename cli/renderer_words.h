@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/renderers/choice.h"
+#include "renderers/choice.h"
 
 namespace CLI {
 class App;

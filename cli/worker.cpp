@@ -13,7 +13,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cli/renderers/registry.h"
 #include "cli/shrinker.h"
 #include "oracle/embree.h"
 #include "oracle/oracle_error.h"
@@ -23,6 +22,7 @@
 #include "program/exit_code.h"
 #include "program/interrupt.h"
 #include "program/usage_error.h"
+#include "renderers/registry.h"
 #include "reports/json.h"
 
 namespace zproof {

@@ -6,10 +6,10 @@
 #include <map>
 #include <stdexcept>
 
-#include "cli/renderers/registry.h"
 #include "oracle/oracle_error.h"
 #include "program/scene_selection.h"
 #include "rasterizer/rasterizer.h"
+#include "renderers/registry.h"
 #include "scenes/scene_error.h"
 #include "selftest/test_scene.h"
 #include "tests/frozen/interior_views.h"

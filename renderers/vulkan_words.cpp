@@ -1,4 +1,4 @@
-#include "cli/renderers/vulkan_words.h"
+#include "renderers/vulkan_words.h"
 
 #include <algorithm>
 #include <array>

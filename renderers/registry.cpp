@@ -1,4 +1,4 @@
-#include "cli/renderers/registry.h"
+#include "renderers/registry.h"
 
 #include <unistd.h>
 
@@ -11,7 +11,6 @@
 #include <mutex>
 #include <utility>
 
-#include "cli/renderers/kept_input.h"
 #include "compare/labels/labelled_frame.h"
 #include "frame/convention_text.h"
 #include "frame/frame_error.h"
@@ -29,6 +28,7 @@
 #include "program/usage_error.h"
 #include "program/version.h"
 #include "rasterizer/rasterizer.h"
+#include "renderers/kept_input.h"
 
 namespace zproof {
 

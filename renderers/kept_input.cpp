@@ -1,4 +1,4 @@
-#include "cli/renderers/kept_input.h"
+#include "renderers/kept_input.h"
 
 #include <system_error>
 #include <utility>

@@ -1,14 +1,14 @@
-#include "cli/renderers/choice.h"
+#include "renderers/choice.h"
 
 #include <algorithm>
 
-#include "cli/renderers/registry.h"
-#include "cli/renderers/vulkan_words.h"
 #include "frame/input_file.h"
 #include "frame/joined.h"
 #include "program/nearest_word.h"
 #include "program/shell_line.h"
 #include "program/usage_error.h"
+#include "renderers/registry.h"
+#include "renderers/vulkan_words.h"
 #include "scenes/triangle_labels.h"
 
 namespace zproof {

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/renderers/choice.h"
 #include "frame/convention.h"
 #include "frame/frame.h"
 #include "frame/picture.h"
 #include "frame/precision.h"
 #include "image_io/image_io.h"
 #include "measure/renderer.h"
+#include "renderers/choice.h"
 #include "reports/results.h"
 #include "scenes/light.h"
 #include "scenes/pixel_lattice.h"

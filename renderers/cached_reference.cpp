@@ -1,4 +1,4 @@
-#include "cli/renderers/cached_reference.h"
+#include "renderers/cached_reference.h"
 
 #include <memory>
 #include <optional>

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "cli/renderers/registry.h"
 #include "oracle/reference_cache.h"
+#include "renderers/registry.h"
 
 namespace zproof {
 
