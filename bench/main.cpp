@@ -11,7 +11,7 @@
 
 #include "bench/suites.h"
 #include "oracle/embree.h"
-#include "rasterizer/rasterizer.h"
+#include "rasterizer/dispatch.h"
 
 namespace {
 
@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
     benchmark::Initialize(&count, arguments.data());
     if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
     benchmark::AddCustomContext("threads", std::to_string(arena.max_concurrency()));
-    benchmark::AddCustomContext("rasterizer_kernels", rasterizer::instruction_set());
+    benchmark::AddCustomContext("rasterizer_kernels", rasterizer::widest_kernel().name);
     benchmark::AddCustomContext("reference", oracle::embree_version());
     arena.execute([] {
         bench::add_rasterizer();

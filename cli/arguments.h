@@ -10,12 +10,12 @@
 
 #include "cli/gate/arguments.h"
 #include "cli/gate/shard.h"
-#include "cli/renderers/choice.h"
 #include "cli/report_files.h"
 #include "cli/run_size.h"
 #include "oracle/reference_cache.h"
 #include "program/command.h"
 #include "program/common_arguments.h"
+#include "renderers/choice.h"
 #include "scenes/import/calibrated_camera.h"
 
 namespace zproof {

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "compare/attributes/attribute_check.h"
+#include "frame/joined.h"
 #include "program/nearest_word.h"
 
 namespace zproof {
@@ -30,9 +31,8 @@ bool is_attribute(const std::string& channel) {
 std::vector<std::string> attribute_remarks(const Scene& scene, const View& view, const Attributes& given,
                                            const Precision& precision) {
     std::vector<std::string> remarks = unjudged_attributes(scene, view, given, precision);
-    std::string judged;
-    for (const Attribute attribute : judged_attributes(scene, view, given, precision))
-        judged += (judged.empty() ? "" : ", ") + std::string(name_of(attribute));
+    const std::string judged = joined(judged_attributes(scene, view, given, precision), ", ",
+                                      [](Attribute attribute) { return name_of(attribute); });
     if (!judged.empty()) remarks.insert(remarks.begin(), "attributes judged: " + judged);
     return remarks;
 }

@@ -3,10 +3,10 @@
 #include "cli/commands.h"
 #include "cli/gate/shard.h"
 #include "cli/judgement.h"
-#include "cli/renderers/registry.h"
 #include "oracle/convention/stored_frame.h"
 #include "program/samples.h"
 #include "program/usage_error.h"
+#include "renderers/registry.h"
 
 namespace zproof {
 namespace {

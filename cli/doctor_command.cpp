@@ -5,8 +5,6 @@
 
 #include "cli/command_line/tree.h"
 #include "cli/commands.h"
-#include "cli/renderers/registry.h"
-#include "cli/renderers/vulkan_words.h"
 #include "frame/input_file.h"
 #include "frame/joined.h"
 #include "math/processor.h"
@@ -14,6 +12,8 @@
 #include "program/settings/apply.h"
 #include "program/usage_error.h"
 #include "program/version.h"
+#include "renderers/registry.h"
+#include "renderers/vulkan_words.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -31,10 +31,8 @@ void print_row(const std::string& name, const std::string& value) {
 }
 
 std::string usable_instructions() {
-    std::string names;
-    for (const InstructionSet set : instruction_sets())
-        names += (names.empty() ? "" : ", ") + std::string(name_of(set));
-    return names + " (" + std::string(name_of(widest_allowed())) + " is used)";
+    return joined(instruction_sets(), ", ", [](InstructionSet set) { return name_of(set); }) + " (" +
+           std::string(name_of(widest_allowed())) + " is used)";
 }
 
 void print_machine() {

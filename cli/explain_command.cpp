@@ -1,36 +1,26 @@
-#include <algorithm>
 #include <iostream>
 
 #include "cli/commands.h"
 #include "cli/labelled_candidate.h"
 #include "cli/memory.h"
-#include "cli/renderers/registry.h"
 #include "compare/explanation/explain.h"
 #include "frame/printable.h"
 #include "program/common_arguments.h"
 #include "program/samples.h"
 #include "program/scene_selection.h"
 #include "program/usage_error.h"
+#include "renderers/registry.h"
 #include "scenes/judged_ranges.h"
 
 namespace zproof {
 namespace {
-
-const View& view_named(const std::string& name, const Loaded& loaded) {
-    if (name.empty()) return loaded.views.front();
-    const auto view = std::ranges::find(loaded.views, name, &View::name);
-    if (view == loaded.views.end())
-        throw UsageError{"--view " + name + ": " + loaded.scene.name + " has the views " +
-                         names_of(loaded.views)};
-    return *view;
-}
 
 View asked_view(const ExplainArguments& arguments, const Loaded& loaded) {
     const std::vector<Sample>& samples = arguments.settings.samples;
     if (samples.size() != 1)
         throw UsageError{"explain: --sample means " + std::to_string(samples.size()) +
                          " places; expected one, e.g. standard:" + std::to_string(samples.size()) + ":0"};
-    return at_samples({view_named(arguments.view, loaded)}, samples).front();
+    return at_samples({views_named(loaded, arguments.view).front()}, samples).front();
 }
 
 void require_inside(const ExplainArguments& arguments, const View& view) {

@@ -3,7 +3,6 @@
 
 #include "cli/commands.h"
 #include "cli/memory.h"
-#include "cli/renderers/registry.h"
 #include "frame/precision_text.h"
 #include "frame/printable.h"
 #include "frame/whole_file.h"
@@ -15,6 +14,7 @@
 #include "program/usage_error.h"
 #include "program/version.h"
 #include "program/work_progress.h"
+#include "renderers/registry.h"
 #include "reports/fit/fit_report.h"
 #include "reports/output_folder.h"
 #include "reports/pages/folder.h"
@@ -32,13 +32,11 @@ Resolution resolution_of(const FitArguments& arguments) {
 
 /// The views that are fitted: of a stored frame one.
 std::vector<View> fitted_views(const FitArguments& arguments, const Loaded& loaded) {
-    std::vector<View> views = loaded.views;
     const bool is_stored = std::holds_alternative<StoredFrame>(arguments.renderer.who);
-    if (arguments.view.empty() && (!is_stored || views.size() == 1)) return views;
-    std::erase_if(views, [&](const View& v) { return v.name != arguments.view; });
-    if (!views.empty()) return views;
-    throw UsageError{"fit: " + loaded.scene.name + " has the views " + names_of(loaded.views) +
-                     "; say which with --view"};
+    if (arguments.view.empty() && is_stored && loaded.views.size() > 1)
+        throw UsageError{"fit: " + loaded.scene.name + " has the views " + names_of(loaded.views) +
+                         "; say which with --view"};
+    return views_named(loaded, arguments.view);
 }
 
 /// How many views were asked for, and what was found of them before an interrupt.

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "cli/renderers/registry.h"
 #include "compare/labels/labelled_frame.h"
+#include "renderers/registry.h"
 #include "scenes/triangle_labels.h"
 
 namespace zproof {

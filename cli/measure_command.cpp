@@ -4,12 +4,12 @@
 
 #include "cli/commands.h"
 #include "cli/measurement_run.h"
-#include "cli/renderers/registry.h"
 #include "frame/precision_text.h"
 #include "frame/printable.h"
 #include "frame/whole_file.h"
 #include "measure/promise.h"
 #include "program/interrupt.h"
+#include "renderers/registry.h"
 #include "reports/measurement_report.h"
 
 namespace zproof {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/renderers/registry.h"
 #include "cli/sampled_views.h"
 #include "cli/view_result.h"
+#include "renderers/registry.h"
 
 namespace zproof {
 

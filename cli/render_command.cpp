@@ -2,7 +2,6 @@
 
 #include "cli/commands.h"
 #include "cli/memory.h"
-#include "cli/renderers/registry.h"
 #include "image_io/image_io.h"
 #include "program/common_arguments.h"
 #include "program/companion.h"
@@ -14,6 +13,7 @@
 #include "program/work_progress.h"
 #include "rasterizer/interpolation.h"
 #include "rasterizer/shader.h"
+#include "renderers/registry.h"
 #include "reports/output_folder.h"
 #include "reports/pictures.h"
 #include "scenes/judged_ranges.h"

@@ -5,11 +5,12 @@
 #include <chrono>
 #include <memory>
 
-#include "cli/renderers/kept_input.h"
-#include "cli/renderers/registry.h"
-#include "cli/renderers/vulkan_words.h"
+#include "frame/joined.h"
 #include "program/nearest_word.h"
 #include "program/usage_error.h"
+#include "renderers/kept_input.h"
+#include "renderers/registry.h"
+#include "renderers/vulkan_words.h"
 
 namespace zproof {
 namespace {
@@ -35,10 +36,8 @@ bool is_vulkan(const RendererChoice& choice) {
 
 RendererChoice oracle_named(const std::string& name) {
     if (names_vulkan(name) || std::ranges::count(renderer_names(), name) > 0) return renderer_from_word(name);
-    std::string names(nobody);
-    for (const std::string& known : renderer_names()) names += ", " + known;
-    throw UsageError{"oracle '" + name + "': expected one of " + names +
-                     did_you_mean(name, renderer_names())};
+    throw UsageError{"oracle '" + name + "': expected one of " + std::string(nobody) + ", " +
+                     joined(renderer_names()) + did_you_mean(name, renderer_names())};
 }
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -118,12 +117,16 @@ void add_precision_options(CLI::App& app, RendererWords& words) {
     app.add_option("--precision", words.precision,
                    "what the renderer promises: a JSON file, or e.g. raster,subpixel_bits=4")
         ->type_name("PROMISE");
+    add_time_limit(app, words);
+    add_convention(app, "--", words.convention);
+    add_device(app, words);
+}
+
+void add_time_limit(CLI::App& app, RendererWords& words) {
     app.add_option("--time-limit", words.time_limit_s,
                    "seconds for a picture of a renderer that is a program")
         ->check(CLI::Range(1, 86400))
         ->capture_default_str();
-    add_convention(app, "--", words.convention);
-    add_device(app, words);
 }
 
 void add_device(CLI::App& app, RendererWords& words) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/renderers/choice.h"
+#include "renderers/choice.h"
 
 namespace CLI {
 class App;
@@ -31,6 +31,7 @@ void add_renderer_options(CLI::App& app, RendererWords& words);   ///< --rendere
 void add_precision_options(CLI::App& app, RendererWords& words);  ///< --precision, --time-limit, --convention
 void add_ids_option(CLI::App& app, RendererWords& words);         ///< --ids
 void add_keep_input(CLI::App& app, RendererWords& words);         ///< --keep-input
+void add_time_limit(CLI::App& app, RendererWords& words);         ///< --time-limit
 void add_device(CLI::App& app, RendererWords& words);             ///< --device
 void add_stored_frame_options(CLI::App& app, RendererWords& words);  ///< --candidate, --reference
 /// --reference-precision, --reference-convention, --reference-channels

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "frame/joined.h"
 #include "frame/whole_file.h"
 #include "program/nearest_word.h"
 #include "program/usage_error.h"
@@ -67,14 +68,12 @@ std::vector<ReportFormat> usual_formats() {
 
 ReportFormat format_from(const std::string& word) {
     std::vector<std::string> names;
-    std::string list;
     for (const ReportFormat format : all_formats()) {
         names.push_back(name_of(format));
         if (word == names.back()) return format;
-        list += (list.empty() ? "" : ", ") + names.back();
     }
     throw UsageError{"--report: '" + word + "' is no report" + did_you_mean(word, names) +
-                     " (expected: " + list + ")"};
+                     " (expected: " + joined(names) + ")"};
 }
 
 void write_reports(const fs::path& folder, const Results& results, const std::vector<ReportFormat>& formats,

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/renderers/registry.h"
+#include "renderers/registry.h"
 
 namespace zproof {
 

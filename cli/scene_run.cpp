@@ -11,7 +11,6 @@
 #include "cli/attribute_remarks.h"
 #include "cli/memory.h"
 #include "cli/oracle_answers.h"
-#include "cli/renderers/cached_reference.h"
 #include "cli/shaded_pictures.h"
 #include "cli/stage_clock.h"
 #include "cli/view_result.h"
@@ -23,6 +22,7 @@
 #include "program/interrupt.h"
 #include "program/samples.h"
 #include "program/usage_error.h"
+#include "renderers/cached_reference.h"
 #include "reports/evidence.h"
 #include "reports/expectations.h"
 #include "scenes/judged_ranges.h"
@@ -269,16 +269,10 @@ std::optional<ViewResult> run_view_or_say_why_not(const ViewRun& view_run) {
 }
 
 std::vector<View> wanted_views(const Loaded& loaded, const ViewChoice& wanted) {
-    std::vector<View> views = loaded.views;
-    if (wanted.name.empty()) {
-        if (views.size() == 1 || wanted.many == ViewChoice::Many::are_judged) return views;
-        throw UsageError{"compare: " + loaded.scene.name + " has the views " + names_of(views) +
+    if (wanted.name.empty() && wanted.many == ViewChoice::Many::are_refused && loaded.views.size() > 1)
+        throw UsageError{"compare: " + loaded.scene.name + " has the views " + names_of(loaded.views) +
                          "; say which with --view"};
-    }
-    std::erase_if(views, [&](const View& view) { return view.name != wanted.name; });
-    if (!views.empty()) return views;
-    throw UsageError{"--view " + wanted.name + ": " + loaded.scene.name + " has the views " +
-                     names_of(loaded.views)};
+    return views_named(loaded, wanted.name);
 }
 
 ViewResult without_triangles(const SceneSource& source, const Scene& scene) {

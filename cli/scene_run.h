@@ -10,10 +10,10 @@
 #include "cli/gate/gate.h"
 #include "cli/outcome_code.h"
 #include "cli/progress.h"
-#include "cli/renderers/choice.h"
 #include "oracle/reference_cache.h"
 #include "program/folder_names.h"
 #include "program/scene_selection.h"
+#include "renderers/choice.h"
 #include "reports/results.h"
 #include "reports/run_causes.h"
 

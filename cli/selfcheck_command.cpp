@@ -2,7 +2,6 @@
 
 #include "cli/commands.h"
 #include "cli/memory.h"
-#include "cli/renderers/registry.h"
 #include "frame/printable.h"
 #include "measure/selfcheck/selfcheck.h"
 #include "oracle/oracle_error.h"
@@ -10,6 +9,7 @@
 #include "program/interrupt.h"
 #include "program/scene_selection.h"
 #include "program/work_progress.h"
+#include "renderers/registry.h"
 #include "reports/wording.h"
 #include "scenes/judged_ranges.h"
 #include "scenes/scene_error.h"

@@ -1,5 +1,5 @@
 #include "cli/commands.h"
-#include "cli/selftest/score.h"
+#include "selftest/score.h"
 
 namespace zproof {
 

@@ -4,12 +4,12 @@
 #include <optional>
 
 #include "cli/labelled_candidate.h"
-#include "cli/renderers/registry.h"
 #include "cli/view_result.h"
 #include "compare/judge.h"
 #include "oracle/oracle_error.h"
 #include "program/interrupt.h"
 #include "program/samples.h"
+#include "renderers/registry.h"
 #include "reports/wording.h"
 #include "scenes/glb_writer.h"
 #include "scenes/shrink.h"

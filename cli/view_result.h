@@ -6,10 +6,10 @@
 
 #include "cli/gate/gate.h"
 #include "cli/labelled_candidate.h"
-#include "cli/renderers/choice.h"
 #include "compare/verdict.h"
 #include "compare/waivers/coverage.h"
 #include "program/scene_selection.h"
+#include "renderers/choice.h"
 #include "reports/results.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"

@@ -22,7 +22,7 @@ struct JudgedView {
 /// from the pictures that lie there. Throws ReportError where it cannot be written.
 void write_viewer_evidence(const std::filesystem::path& folder, const JudgedView& judged);
 
-/// The same of what differs alone: no planes of ids, depths and errors, no stories.
+/// As write_viewer_evidence(), of what differs alone: no planes of ids, depths and errors, no stories.
 void write_viewer_summary(const std::filesystem::path& folder, const JudgedView& judged);
 
 /// The pixels whose stories are told: of every pair of triangles that some class arises between the worst

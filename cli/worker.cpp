@@ -1,21 +1,18 @@
 #include "cli/worker.h"
 
-#include <fcntl.h>
 #include <malloc.h>
 #include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <iostream>
 #include <stdexcept>
 #include <utility>
 
-#include "cli/renderers/registry.h"
 #include "cli/shrinker.h"
 #include "oracle/embree.h"
 #include "oracle/oracle_error.h"
@@ -25,10 +22,44 @@
 #include "program/exit_code.h"
 #include "program/interrupt.h"
 #include "program/usage_error.h"
+#include "renderers/registry.h"
 #include "reports/json.h"
 
 namespace zproof {
 namespace {
+
+/// What stands before the text.
+struct Head {
+    std::uint64_t size;
+    Message::Kind kind;
+};
+
+bool write_all(int to, const char* from, std::size_t size) {
+    while (size > 0) {
+        const ssize_t count = ::write(to, from, size);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return false;
+        from += count, size -= std::size_t(count);
+    }
+    return true;
+}
+
+bool read_all(int from, char* to, std::size_t size) {
+    while (size > 0) {
+        const ssize_t count = ::read(from, to, size);
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return false;
+        to += count, size -= std::size_t(count);
+    }
+    return true;
+}
+
+/// Writes all of it. False where nobody reads it any more.
+bool send(int to, const Message& message) {
+    const Head head{message.text.size(), message.kind};
+    return write_all(to, reinterpret_cast<const char*>(&head), sizeof head) &&
+           write_all(to, message.text.data(), message.text.size());
+}
 
 /// Candidate, reference, and the oracles that can be asked. Throws OracleError for one that must be there
 /// and is not.
@@ -125,14 +156,13 @@ pid_t fork_worker() {
 
 Worker::Worker(const std::vector<SceneSource>& sources, std::size_t first, const RunConfig& config,
                int threads) {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse("no pipe to another process");
-    from_ = oracle::FileDescriptor(ends[0]);
-    const oracle::FileDescriptor to(ends[1]);
+    oracle::Pipe pipe = oracle::open_pipe();
+    if (!pipe.from.is_open()) refuse("no pipe to another process");
+    from_ = std::move(pipe.from);
     std::cout.flush();
     id_ = fork_worker();
     if (id_ < 0) refuse("no process can be started");
-    if (id_ == 0) work({sources, first, config, threads, to.number()});
+    if (id_ == 0) work({sources, first, config, threads, pipe.to.number()});
 }
 
 Worker::~Worker() {
@@ -141,16 +171,19 @@ Worker::~Worker() {
     end();
 }
 
+std::optional<Message> Worker::next() const {
+    Head head{};
+    if (!read_all(from_.number(), reinterpret_cast<char*>(&head), sizeof head)) return std::nullopt;
+    Message message{head.kind, std::string(head.size, '\0')};
+    if (!read_all(from_.number(), message.text.data(), head.size)) return std::nullopt;
+    return message;
+}
+
 std::string Worker::end() {
     hand_interrupts_to(0);
     from_.close();  // it may have more to tell than the pipe takes
-    int status = 0;
-    while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
-    }
+    const oracle::Outcome outcome = oracle::outcome_of(oracle::status_at_end(id_));
     oracle::remove_scratch_folders_of(std::exchange(id_, 0));
-    const auto [ending, code] = WIFSIGNALED(status) ? std::pair{oracle::Ending::killed, WTERMSIG(status)}
-                                                    : std::pair{oracle::Ending::exited, WEXITSTATUS(status)};
-    const oracle::Outcome outcome{.ending = ending, .code = code};
     return outcome.succeeded() ? "" : oracle::in_words(outcome, {});
 }
 

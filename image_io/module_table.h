@@ -97,7 +97,6 @@ inline constexpr int interface_number = 5;
 
 struct ModuleTable {
     int interface = interface_number;
-    const char* version = "";  ///< OpenImageIO's
     OpenFile* (*open)(const Source& source) = nullptr;
     void (*close)(OpenFile* file) = nullptr;
     /// The headers of all images in the file that have the mip level.

@@ -37,6 +37,4 @@ std::array<float, 3> TextureSystem::look_up(const TextureLookup& lookup) const {
     }
 }
 
-std::string openimageio_version() { return module().version; }
-
 }  // namespace zproof::image_io

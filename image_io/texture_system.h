@@ -28,7 +28,4 @@ class TextureSystem {
     std::unique_ptr<Textures, void (*)(Textures*)> textures_;
 };
 
-/// "2.4.7"
-std::string openimageio_version();
-
 }  // namespace zproof::image_io

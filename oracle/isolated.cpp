@@ -1,14 +1,11 @@
 #include "oracle/isolated.h"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
@@ -17,6 +14,7 @@
 #include <new>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "frame/frame_error.h"
 #include "oracle/file_descriptor.h"
@@ -101,13 +99,12 @@ void send_words(int to, Answer::Kind kind, const std::string& words) {
 class Copy {
   public:
     Copy(const std::string& name, const IsolationLimits& limits, const std::function<Bytes()>& work) {
-        std::array<int, 2> ends{};
-        if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse(name);
-        from_ = FileDescriptor(ends[0]);
-        const FileDescriptor to(ends[1]);
+        Pipe pipe = open_pipe();
+        if (!pipe.from.is_open()) refuse(name);
+        from_ = std::move(pipe.from);
         id_ = fork();
         if (id_ < 0) refuse(name);
-        if (id_ == 0) do_in_copy(to.number(), limits, work);
+        if (id_ == 0) do_in_copy(pipe.to.number(), limits, work);
     }
     ~Copy() { end(); }
     Copy(const Copy&) = delete;
@@ -133,9 +130,7 @@ class Copy {
     int end() {
         if (id_ == 0) return status_;
         ::kill(id_, SIGKILL);
-        while (waitpid(id_, &status_, 0) < 0 && errno == EINTR) {
-        }
-        id_ = 0;
+        status_ = status_at_end(std::exchange(id_, 0));
         return status_;
     }
 

@@ -60,8 +60,4 @@ class OpenGl {
 /// Why there is no OpenGL, in one line ("OpenGL: not built in", or what EGL said); nothing where there is.
 std::optional<std::string> opengl_is_missing();
 
-/// Open a driver for the question. Throw OracleError where opengl_is_missing gives a reason.
-Precision opengl_precision();
-std::string opengl_version();
-
 }  // namespace zproof::oracle

@@ -4,7 +4,6 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 extern "C" {
 #include <sys/pidfd.h>  // glibc 2.36 forgets to say that it is C
@@ -36,6 +35,12 @@ void require(int result, const Command& command) {
     if (result != 0) refuse(command, result);
 }
 
+Pipe pipe_for(const Command& command) {
+    Pipe pipe = open_pipe();
+    require(pipe.from.is_open() ? 0 : errno, command);
+    return pipe;
+}
+
 /// One of the command's outputs: its end that we read, and what has come of it.
 struct OutputPipe {
     FileDescriptor ours, theirs;
@@ -43,10 +48,9 @@ struct OutputPipe {
     std::string text;
 
     explicit OutputPipe(const Command& command) : kept_bytes(command.kept_bytes) {
-        std::array<int, 2> ends{};
-        require(pipe2(ends.data(), O_CLOEXEC) == 0 ? 0 : errno, command);
-        ours = FileDescriptor(ends[0]);
-        theirs = FileDescriptor(ends[1]);
+        Pipe pipe = pipe_for(command);
+        ours = std::move(pipe.from);
+        theirs = std::move(pipe.to);
         fcntl(ours.number(), F_SETFL, O_NONBLOCK);
     }
 
@@ -137,24 +141,17 @@ pid_t spawned(const SpawnArguments& start, const Command& command) {
     return SpawnPlan(start, command).carry_out(start, command);
 }
 
-void reap(pid_t id, int* status) {
-    while (waitpid(id, status, 0) < 0 && errno == EINTR) {
-    }
-}
-
 /// Leads a command's process group, and kills that group as soon as we are no more, whichever way we went: it
 /// waits for the end of a pipe whose other end nobody but this process holds. Not even SIGKILL, or a second
 /// Ctrl-C, leaves a command running.
 class GroupLeader {
   public:
     GroupLeader(const Command& command, const FileDescriptor& dev_null) {
-        std::array<int, 2> ends{};
-        require(pipe2(ends.data(), O_CLOEXEC) == 0 ? 0 : errno, command);
-        const FileDescriptor theirs(ends[0]);
-        ours_ = FileDescriptor(ends[1]);
+        Pipe pipe = pipe_for(command);
+        ours_ = std::move(pipe.to);
         id_ = spawned({.arguments = {"/bin/sh", "-c", "read nothing; kill -9 0"},
                        .folder = "/",
-                       .input = theirs.number(),
+                       .input = pipe.from.number(),
                        .output = dev_null.number(),
                        .error_output = dev_null.number(),
                        .group = 0},
@@ -170,7 +167,7 @@ class GroupLeader {
     void end_group() {
         if (id_ == 0) return;
         ::kill(-id_, SIGKILL);
-        reap(std::exchange(id_, 0), nullptr);
+        status_at_end(std::exchange(id_, 0));
     }
 
   private:
@@ -210,8 +207,7 @@ class Child {
     std::optional<int> end() {
         if (id_ == 0) return std::nullopt;
         group_leader_.end_group();
-        int status = 0;
-        reap(std::exchange(id_, 0), &status);
+        const int status = status_at_end(std::exchange(id_, 0));
         end_strays(mark_);
         return status;
     }
@@ -246,11 +242,6 @@ WaitResult wait_for(const Child& child, OutputPipe& output, OutputPipe& error_ou
     }
 }
 
-Outcome outcome_of(int status) {
-    if (WIFSIGNALED(status)) return {.ending = Ending::killed, .code = WTERMSIG(status)};
-    return {.ending = Ending::exited, .code = WEXITSTATUS(status)};
-}
-
 /// A command, from its start to its end.
 class Running {
   public:
@@ -282,6 +273,11 @@ class Running {
 };
 
 }  // namespace
+
+Outcome outcome_of(int status) {
+    if (WIFSIGNALED(status)) return {.ending = Ending::killed, .code = WTERMSIG(status)};
+    return {.ending = Ending::exited, .code = WEXITSTATUS(status)};
+}
 
 std::vector<std::string> shell_line(std::string line) { return {"/bin/sh", "-c", std::move(line)}; }
 

@@ -36,6 +36,9 @@ struct Outcome {
     bool succeeded() const { return ending == Ending::exited && code == 0; }
 };
 
+/// What became of a child that ended with this status, as waitpid() reports it; without its outputs.
+Outcome outcome_of(int status);
+
 /// Starts the command. It stands in a process group of its own, and whatever of that group is left when the
 /// command has ended, when its time is up, when the result is dropped, or when this process is no more, is
 /// killed; so a child that the command left behind neither lives on nor keeps us waiting. What has left the

@@ -11,6 +11,7 @@
 #include "frame/joined.h"
 #include "program/nearest_word.h"
 #include "program/samples.h"
+#include "program/usage_error.h"
 #include "reports/output_manifest.h"
 #include "reports/wording.h"
 #include "scenes/judged_ranges.h"
@@ -257,6 +258,15 @@ Loaded load(const SceneSource& source, Resolution resolution) {
 }
 
 std::string names_of(const std::vector<View>& views) { return joined(views, ", ", &View::name); }
+
+std::vector<View> views_named(const Loaded& loaded, const std::string& name) {
+    std::vector<View> views = loaded.views;
+    if (name.empty()) return views;
+    std::erase_if(views, [&](const View& view) { return view.name != name; });
+    if (!views.empty()) return views;
+    throw UsageError{"--view " + name + ": " + loaded.scene.name + " has the views " +
+                     names_of(loaded.views)};
+}
 
 bool states_its_size(const SceneSource& source) {
     return source.kind == SceneSource::Kind::view_file || source.kind == SceneSource::Kind::random ||

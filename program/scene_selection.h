@@ -91,6 +91,9 @@ Loaded load(const SceneSource& source, Resolution resolution);
 /// "door, floor": for messages.
 std::string names_of(const std::vector<View>& views);
 
+/// The views of that name; all where it is empty. Throws UsageError where there is none.
+std::vector<View> views_named(const Loaded& loaded, const std::string& name);
+
 /// What to type after "zproof explain" to mean this scene.
 std::string word_for(const SceneSource& source);
 

@@ -26,9 +26,6 @@ struct Work {
     std::uint64_t chunks_culled = 0;     ///< left out by their boxes
     std::uint64_t pixels = 0, seen = 0;  ///< of the image; that show a triangle
     Tally tally;
-
-    /// How often a pixel of the image is covered, on average: d of docs/cost.md.
-    double depth_complexity() const { return double(tally.fragments) / double(pixels); }
 };
 
 /// A picture shaded fragment by fragment while it is drawn.

@@ -19,8 +19,6 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 const Frame& Renderer::render(const Scene& scene, const View& view) { return pipeline_->render(scene, view); }
 
-std::string instruction_set() { return widest_kernel().name; }
-
 Frame render(const Scene& scene, const View& view) { return render_by(correct_rules, scene, view); }
 
 }  // namespace zproof::rasterizer

@@ -37,7 +37,4 @@ class Renderer {
     std::unique_ptr<class Pipeline> pipeline_;
 };
 
-/// The instruction set that the kernels use on this machine: "scalar", "AVX2" or "AVX-512".
-std::string instruction_set();
-
 }  // namespace zproof::rasterizer

@@ -26,6 +26,11 @@ class TriangleFootprints {
 };
 
 /// By perspective; none where there is no texels_from_raster(). The id must be a triangle of the scene.
-std::optional<TriangleFootprints> footprints_of(const Scene& scene, const View& view, std::uint32_t triangle);
+inline std::optional<TriangleFootprints> footprints_of(const Scene& scene, const View& view,
+                                                       std::uint32_t triangle) {
+    const auto map = texels_from_raster(scene, view, triangle);
+    if (!map) return {};
+    return TriangleFootprints{*map, RayCones{view, *textured_corners(scene, view, triangle)}};
+}
 
 }  // namespace zproof::rasterizer

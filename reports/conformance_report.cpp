@@ -65,7 +65,7 @@ Row visibility(const std::string& asked, const std::vector<const ViewResult*>& v
             visibility_verdict(views)};
 }
 
-/// Of a bound: the largest error / bound over the views, and whether no pixel is beyond it.
+/// The row of a bound: the largest error / bound over the views, and whether no pixel is beyond it.
 Row bound(const std::string& asked, const Results& results, BoundRecord ViewResult::*record,
           PixelClass beyond) {
     double largest = 0;

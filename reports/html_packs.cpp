@@ -2,7 +2,6 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/base64.h"
-#include "reports/deep_link.h"
 #include "reports/html_parts.h"
 #include "reports/planes/deflate.h"
 #include "reports/wording.h"
@@ -51,6 +50,9 @@ std::string row_of(const ViewResult& v) {
     for (const std::string& text : summary_texts(v)) row += (row.empty() ? "" : "\t") + text;
     return row;
 }
+
+/// The name by which links mean a view: the last part of its folder, unique within a run.
+std::string link_name(const ViewResult& view) { return view.folder.substr(view.folder.rfind('/') + 1); }
 
 /// What the page says of a view to its script, in the order of fact_names().
 json facts_of(const PageView& page) {

@@ -136,7 +136,7 @@ std::string depth_cell(const Answer& answer) {
            "</span>";
 }
 
-/// Of a defect of the id the depth's error says nothing, and would read like a pass.
+/// The depth's error says nothing of a defect of the id, and would read like a pass.
 bool says_of_depth(const Finding& f) {
     const bool id_is_wrong = is_defect(f.verdict) && f.verdict != PixelClass::wrong_depth &&
                              f.verdict != PixelClass::wrong_attribute;

@@ -32,6 +32,11 @@ const std::map<std::string, Names> may_include{
     {"reports", {"math", "compare", "measure", "frame", "image_io"}},  // shows results; never computes one
     {"program",
      {"math", "frame", "scenes", "oracle", "compare", "reports"}},  // what every program is made of
+    {"selftest",
+     {"math", "frame", "scenes", "rasterizer", "oracle", "compare", "program"}},  // lies to the judge
+    {"renderers",
+     {"math", "frame", "image_io", "scenes", "rasterizer", "oracle", "compare", "measure", "reports",
+      "program"}},  // who can be asked
     {"filters",
      {"math", "frame", "image_io", "scenes", "texture", "rasterizer", "oracle", "compare", "reports",
       "program"}},  // holds a method to its truth
@@ -41,7 +46,7 @@ const std::map<std::string, Names> may_include{
       "filters"}},  // the public interface
     {"cli",
      {"math", "frame", "image_io", "scenes", "rasterizer", "oracle", "compare", "measure", "reports",
-      "program"}},
+      "program", "selftest", "renderers"}},
 };
 
 /// The judge's own rooms: what each may look into beside itself.

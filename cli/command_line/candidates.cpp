@@ -4,9 +4,9 @@
 #include <array>
 #include <iterator>
 
-#include "cli/renderers/registry.h"
 #include "cli/report_files.h"
 #include "frame/convention_text.h"
+#include "renderers/registry.h"
 #include "scenes/suite.h"
 #include "scenes/triangle_labels.h"
 

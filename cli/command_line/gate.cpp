@@ -24,32 +24,35 @@ const std::map<std::string, WaiverReach> reaches{
 
 constexpr const char* waivers_made = "the file of waivers as it becomes; default: that of --waivers";
 
-void add_waive_list(CLI::App& waive, CommandWords& words) {
+Branch add_waive_list(CLI::App& waive, CommandWords& words) {
     CLI::App& app = *waive.add_subcommand("list", "every waiver, a line each, with the days it has left");
     add_common(app, words.waive_list.common);
     add_waiver_file(app, words.waive_list.gate);
     add_settings_choice(app, words.settings);
+    return {&app, [&words] { return command_of(words.waive_list, "cannot list the waivers"); }};
 }
 
-void add_waive_check(CLI::App& waive, CommandWords& words) {
+Branch add_waive_check(CLI::App& waive, CommandWords& words) {
     CLI::App& app = *waive.add_subcommand("check", "are they well formed, in time, and needed?");
     add_common(app, words.waive_check.common);
     add_gate(app, words.waive_check.gate);
     app.add_option("--from", words.waive_check.results, "results.json of a run, to see which are needed");
     app.footer(check_remark);
     add_settings_choice(app, words.settings);
+    return {&app, [&words] { return command_of(words.waive_check, "cannot check the waivers"); }};
 }
 
-void add_waive_prune(CLI::App& waive, CommandWords& words) {
+Branch add_waive_prune(CLI::App& waive, CommandWords& words) {
     CLI::App& app = *waive.add_subcommand("prune", "remove those that have run out, or are not needed");
     add_common(app, words.waive_prune.common, waivers_made);
     add_waiver_file(app, words.waive_prune.gate);
     app.add_option("--from", words.waive_prune.results,
                    "results.json of a run: remove also those that let nothing pass there");
     add_settings_choice(app, words.settings);
+    return {&app, [&words] { return command_of(words.waive_prune, "cannot prune the waivers"); }};
 }
 
-void add_waive_add(CLI::App& waive, CommandWords& words) {
+Branch add_waive_add(CLI::App& waive, CommandWords& words) {
     CLI::App& app = *waive.add_subcommand("add", "waive the defects around a pixel that was looked at");
     WaiveAddArguments& add = words.waive_add;
     add_common(app, add.common, waivers_made);
@@ -71,15 +74,7 @@ void add_waive_add(CLI::App& waive, CommandWords& words) {
     app.add_option("--link", add.link, "where it is being worked on")->required();
     app.add_option("--expires", add.expires, "last day, at most 180 from now: 2026-04-10")->required();
     add_settings_choice(app, words.settings);
-}
-
-Command chosen_waive_command(const CLI::App& app, const CommandWords& words) {
-    const auto typed = [&](const char* name) { return app.get_subcommand(name)->parsed(); };
-    if (typed("list")) return command_of(words.waive_list, "cannot list the waivers");
-    if (typed("check")) return command_of(words.waive_check, "cannot check the waivers");
-    if (typed("prune")) return command_of(words.waive_prune, "cannot prune the waivers");
-    if (typed("add")) return command_of(words.waive_add, "cannot add a waiver");
-    throw UsageError{"waive: 'list', 'check', 'prune' or 'add' expected (see: zproof waive --help)"};
+    return {&app, [&words] { return command_of(words.waive_add, "cannot add a waiver"); }};
 }
 
 }  // namespace
@@ -130,11 +125,14 @@ Branch add_diff_results(CLI::App& parent, CommandWords& words) {
 Branch add_waive(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("waive", "known defects that may stay for a while, with a reason");
     app.require_subcommand(0, 1);
-    add_waive_list(app, words);
-    add_waive_check(app, words);
-    add_waive_prune(app, words);
-    add_waive_add(app, words);
-    return {&app, [&words, &app] { return chosen_waive_command(app, words); }};
+    const std::vector<Branch> branches{add_waive_list(app, words), add_waive_check(app, words),
+                                       add_waive_prune(app, words), add_waive_add(app, words)};
+    return {
+        &app, [branches] {
+            for (const Branch& branch : branches)
+                if (branch.app->parsed()) return branch.understood();
+            throw UsageError{"waive: 'list', 'check', 'prune' or 'add' expected (see: zproof waive --help)"};
+        }};
 }
 
 Branch add_doctor(CLI::App& parent, CommandWords& words) {

@@ -9,8 +9,8 @@ namespace {
 
 const std::map<std::string, Evidence> evidences{{"all", Evidence::all}, {"defects", Evidence::defects}};
 
-/// Of "640x480" the height is that option's, as if it had been typed, and the width is left. CLI11 reads the
-/// options in the order in which they were added: the height after the width.
+/// Gives the height of "640x480" to that option, as if it had been typed, and leaves the width. CLI11 reads
+/// the options in the order in which they were added: the height after the width.
 std::string hand_on_height(std::string& width, CLI::Option& height) {
     const std::size_t times = width.find('x');
     if (times == std::string::npos) return "";

@@ -25,6 +25,13 @@ const std::map<std::string, InitArguments::Language> languages{{"c++", InitArgum
                                                                {"opengl", InitArguments::Language::opengl},
                                                                {"python", InitArguments::Language::python}};
 
+/// SCENE; take_renderer() takes a renderer from among them.
+void add_scenes_or_renderer(CLI::App& app, std::vector<std::string>& scenes) {
+    app.add_option(
+        "SCENE", scenes,
+        std::string{"'suite', a folder, a renderer, or a "} + scene_words + "; none: the whole suite");
+}
+
 CLI::App& add_random_scenes(CLI::App& scenes, RandomScenesArguments& drawn) {
     CLI::App& app = *scenes.add_subcommand("random", "write random scenes as .glb and .view.json");
     app.add_option("--count", drawn.random.count, "numbers from 0 on")
@@ -86,19 +93,14 @@ Branch add_fit(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand(
         "fit", "the least promise that explains every pixel, whatever the renderer declares");
     FitArguments& fit = words.fit;
-    app.add_option(
-        "SCENE", fit.scenes,
-        std::string{"'suite', a folder, a renderer, or a "} + scene_words + "; none: the whole suite");
+    add_scenes_or_renderer(app, fit.scenes);
     app.add_option("--view", fit.view, "name of the view; default: all")->type_name("VIEW");
     app.add_option("--renderer", words.renderers.renderer,
                    "whose frames: zproof, embree, opengl, povray, vulkan, or 'CMD {scene} {camera} {width} "
                    "{height} {out}'")
         ->type_name("RENDERER")
         ->capture_default_str();
-    app.add_option("--time-limit", words.renderers.time_limit_s,
-                   "seconds for a picture of a renderer that is a program")
-        ->check(CLI::Range(1, 86400))
-        ->capture_default_str();
+    add_time_limit(app, words.renderers);
     add_device(app, words.renderers);
     app.add_option("--candidate", words.renderers.candidate, "a stored frame in the renderer's place");
     add_common(app, fit.common, "folder for tables, chart, fit.json and precision.json");
@@ -115,9 +117,7 @@ Branch add_selfcheck(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand(
         "selfcheck", "is a renderer at one with itself? the same pictures told in other ways, no reference");
     SelfcheckArguments& selfcheck = words.selfcheck;
-    app.add_option(
-        "SCENE", selfcheck.scenes,
-        std::string{"'suite', a folder, a renderer, or a "} + scene_words + "; none: the whole suite");
+    add_scenes_or_renderer(app, selfcheck.scenes);
     add_renderer_options(app, words.renderers);
     add_common(app, selfcheck.common);
     add_render_settings(app, selfcheck.settings);

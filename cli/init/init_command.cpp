@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "cli/init/example_files.h"
+#include "cli/example_files.h"
 #include "frame/printable.h"
 #include "frame/whole_file.h"
 #include "program/shell_line.h"

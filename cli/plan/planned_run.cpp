@@ -1,9 +1,7 @@
 #include "cli/plan/planned_run.h"
 
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
 #include <iostream>
 
@@ -11,6 +9,7 @@
 #include "cli/outcome_code.h"
 #include "cli/plan/missing_shards.h"
 #include "cli/selected_scenes.h"
+#include "oracle/file_descriptor.h"
 #include "program/failure.h"
 #include "program/interrupt.h"
 #include "program/usage_error.h"
@@ -90,9 +89,7 @@ ExitCode judge_apart(const PlannedRun& run, const Shard& shard, const RunArgumen
     }
     note_interrupts();
     hand_interrupts_to(id);
-    int status = 0;
-    while (waitpid(id, &status, 0) < 0 && errno == EINTR) {
-    }
+    const int status = oracle::status_at_end(id);
     hand_interrupts_to(0);
     return WIFEXITED(status) ? ExitCode(WEXITSTATUS(status)) : ExitCode::internal;
 }

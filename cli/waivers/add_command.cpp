@@ -11,6 +11,7 @@
 #include "compare/waivers/coverage.h"
 #include "frame/folder_lock.h"
 #include "frame/input_file.h"
+#include "frame/joined.h"
 #include "frame/whole_file.h"
 #include "program/usage_error.h"
 #include "reports/findings_file.h"
@@ -30,13 +31,11 @@ const ViewResult& view_meant(const Results& results, const WaiveAddArguments& ar
         if (view.scene == arguments.scene && (arguments.view.empty() || view.view == arguments.view))
             fitting.push_back(&view);
     if (fitting.size() == 1) return *fitting[0];
-    std::string names;
-    for (const ViewResult* view : fitting) names += (names.empty() ? "" : ", ") + view->view;
     throw UsageError{fitting.empty()
                          ? "waive add: the results have no view of scene '" + arguments.scene + "'" +
                                (arguments.view.empty() ? "" : " named '" + arguments.view + "'")
-                         : "waive add: " + arguments.scene + " has the views " + names +
-                               "; say which with --view"};
+                         : "waive add: " + arguments.scene + " has the views " +
+                               joined(fitting, ", ", &ViewResult::view) + "; say which with --view"};
 }
 
 std::vector<Finding> findings_of(const ViewResult& view, const fs::path& run_folder) {

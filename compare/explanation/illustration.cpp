@@ -58,18 +58,6 @@ std::vector<NearbyImage> images_at(const Scene& scene, const View& view, const S
 
 }  // namespace
 
-std::vector<std::vector<NearbyImage>> images_around(const Scene& scene, const View& view,
-                                                    std::span<const PixelCoord> places, double reach_px,
-                                                    std::size_t most) {
-    std::vector<SearchPixel> search_pixels;
-    for (const PixelCoord& place : places) search_pixels.push_back({place.x, place.y, reach_px, {}});
-    find_nearby_triangles(scene, view, {}, search_pixels);
-    std::vector<std::vector<NearbyImage>> images;
-    for (const SearchPixel& search_pixel : search_pixels)
-        images.push_back(images_at(scene, view, search_pixel, most));
-    return images;
-}
-
 std::vector<IllustratedExplanation> illustrate(const Scene& scene, const View& view,
                                                const RenderedFrame& candidate, const RenderedFrame& reference,
                                                const IllustrationRequest& places) {

@@ -17,26 +17,20 @@ struct NearbyImage {
     Affine<double> inverse_depth;        ///< larger is nearer: compare/bounds/triangle_image.h
 };
 
-/// The triangles, for each place, whose image may come within reach_px of its centre, nearest at the centre
-/// first, at most `most` of them; none that is seen edge-on. One pass over the scene serves all places.
-std::vector<std::vector<NearbyImage>> images_around(const Scene& scene, const View& view,
-                                                    std::span<const PixelCoord> places, double reach_px,
-                                                    std::size_t most);
-
 /// An explanation, and what is drawn beside it.
 struct IllustratedExplanation {
     PixelExplanation explanation;
-    std::vector<NearbyImage> images;
+    std::vector<NearbyImage> images;  ///< nearest at the centre first; none that is seen edge-on
 };
 
-/// What is explained and drawn; see images_around().
+/// What is explained and drawn.
 struct IllustrationRequest {
     std::span<const PixelCoord> places;
-    double reach_px = 0;
-    std::size_t most = 0;
+    double reach_px = 0;   ///< triangles whose image may come so near a place's centre are drawn
+    std::size_t most = 0;  ///< at each place
 };
 
-/// explain() and images_around() together: the scene is searched once for both.
+/// As explain(), each with its drawing. One pass over the scene serves all places.
 std::vector<IllustratedExplanation> illustrate(const Scene& scene, const View& view,
                                                const RenderedFrame& candidate, const RenderedFrame& reference,
                                                const IllustrationRequest& places);

@@ -156,37 +156,4 @@ KernelShape shape_of(const Kernel& kernel) {
     return shape;
 }
 
-glm::dmat2 footprint_covariance(const Footprint& f) {
-    return (glm::outerProduct(f.per_x, f.per_x) + glm::outerProduct(f.per_y, f.per_y)) / 12.0;
-}
-
-ReadCost read_cost(const Sampler& sampler, const Footprint& footprint) {
-    constexpr std::size_t line = 64;
-    const std::vector<Tap> taps = sampler.taps(footprint);
-    std::vector<std::pair<int, std::size_t>> texels, lines;
-    for (const Tap& tap : taps) {
-        const StoredImage& image = sampler.stored[std::size_t(tap.image)];
-        const std::size_t index = std::size_t(tap.row) * std::size_t(image.width) + std::size_t(tap.column),
-                          begin = index * image.bytes_per_texel, end = begin + image.bytes_per_texel - 1;
-        texels.emplace_back(tap.image, index);
-        for (std::size_t at = begin / line; at <= end / line; ++at) lines.emplace_back(tap.image, at);
-    }
-    const auto distinct = [](auto& list) {
-        std::ranges::sort(list);
-        return std::size_t(std::unique(list.begin(), list.end()) - list.begin());
-    };
-    return {taps.size(), distinct(texels), distinct(lines)};
-}
-
-LinearImage picture(const Kernel& kernel) {
-    double largest = 0;
-    for (const double weight : kernel.weights) largest = std::max(largest, std::abs(weight));
-    LinearImage image{kernel.width, kernel.height, {}};
-    for (const double weight : kernel.weights) {
-        const auto light = float(largest > 0 ? std::abs(weight) / largest : 0);
-        image.texels.emplace_back(light, weight < 0 ? 0.0f : light, weight < 0 ? 0.0f : light, 1.0f);
-    }
-    return image;
-}
-
 }  // namespace zproof::texture

@@ -43,20 +43,4 @@ struct KernelShape {
 };
 KernelShape shape_of(const Kernel& kernel);
 
-/// J J^T / 12, texels^2: the covariance of a uniform pixel on the texture. A kernel that reads whole texels
-/// has a texel's own, 1/12, more along both axes on average over all places.
-glm::dmat2 footprint_covariance(const Footprint& footprint);
-
-/// What a footprint costs.
-struct ReadCost {
-    std::size_t reads = 0;          ///< taps
-    std::size_t stored_texels = 0;  ///< distinct ones
-    std::size_t cache_lines =
-        0;  ///< distinct, of 64 bytes; every stored image begins with a line, rows are dense
-};
-ReadCost read_cost(const Sampler& sampler, const Footprint& footprint);
-
-/// White is the largest weight, black none, red the same for negative ones; linear.
-LinearImage picture(const Kernel& kernel);
-
 }  // namespace zproof::texture

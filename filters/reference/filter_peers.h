@@ -55,7 +55,5 @@ FilterPrecision vulkan_filter_precision();
 /// threads of the surrounding tbb::task_arena. Throws OracleError in its words.
 Picture openimageio_filtered(const Scene& scene, const View& view, const Frame& frame, PeerFilter filter,
                              const FilterSettings& settings);
-/// What is declared for it: float32 throughout.
-FilterPrecision openimageio_filter_precision();
 
 }  // namespace zproof::oracle

@@ -133,6 +133,4 @@ Picture openimageio_filtered(const Scene& scene, const View& view, const Frame& 
     }
 }
 
-FilterPrecision openimageio_filter_precision() { return *preset_filter_precision("oiio"); }
-
 }  // namespace zproof::oracle

@@ -182,8 +182,7 @@ std::vector<unsigned char> encode(const Raster& raster) {
     return bytes;
 }
 
-constexpr ModuleTable table{.version = OIIO_VERSION_STRING,
-                            .open = open,
+constexpr ModuleTable table{.open = open,
                             .close = close,
                             .parts = parts,
                             .read = read,

@@ -54,14 +54,6 @@ void work(const std::string& numbers, std::vector<WorkedStep>& steps) {
 
 }  // namespace
 
-Matrix4<double> lesson_matrix() {
-    const Matrix4<double> ours = world_from_local<double>();
-    Matrix4<double> transposed;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j) transposed[i][j] = ours[j][i];
-    return transposed;
-}
-
 std::vector<WorkedStep> worked_example() {
     std::vector<WorkedStep> steps;
     work<float>("float32", steps), work<double>("float64", steps), work<Rational>("exact", steps);

@@ -18,9 +18,6 @@ struct WorkedStep {
     std::string lesson;            ///< what the lesson prints
 };
 
-/// The matrix as the lesson prints it, for row vectors; ours is its transpose.
-Matrix4<double> lesson_matrix();
-
 std::vector<WorkedStep> worked_example();
 
 }  // namespace zproof::study::projection

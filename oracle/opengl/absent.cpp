@@ -28,8 +28,4 @@ Frame OpenGl::render(const View&) const { throw OracleError(not_built_in); }
 
 std::optional<std::string> opengl_is_missing() { return not_built_in; }
 
-Precision opengl_precision() { throw OracleError(not_built_in); }
-
-std::string opengl_version() { throw OracleError(not_built_in); }
-
 }  // namespace zproof::oracle

@@ -26,7 +26,7 @@ struct Pixels {
     Plane<float> z;
 };
 
-/// Of a cleared buffer.
+/// The z of a cleared buffer.
 float farthest(DepthBuffer z) { return z == DepthBuffer::reversed_z ? 0 : 1; }
 
 /// Background has no depth, and z as it was cleared. Anything else is handed on for the judge to see.
@@ -67,7 +67,7 @@ struct OpenGlDriver::State {
                                                    : opengl::DrawOrder::last_first,
                 ids};
     }
-    /// The same.
+    /// The context must be current.
     Pixels draw(const opengl::Mesh& mesh, const View& view) const {
         return draw(mesh, {view.width, view.height}, clip_rows(view.camera, space));
     }
@@ -172,9 +172,5 @@ std::optional<std::string> opengl_is_missing() {
         return e.what();
     }
 }
-
-Precision opengl_precision() { return OpenGlDriver().precision(); }
-
-std::string opengl_version() { return OpenGlDriver().version(); }
 
 }  // namespace zproof::oracle

@@ -2,7 +2,6 @@
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +11,6 @@
 #include <utility>
 
 #include "reports/planes/deflate.h"
-#include "reports/report_error.h"
 
 namespace zproof::planes {
 
@@ -20,10 +18,7 @@ static_assert(std::endian::native == std::endian::little, "planes are stored as 
 
 namespace {
 
-const Bytef* zlib_bytes(std::string_view bytes) { return reinterpret_cast<const Bytef*>(bytes.data()); }
-
 std::uint32_t folded(std::uint32_t difference) { return (difference << 1) ^ (0u - (difference >> 31)); }
-std::uint32_t unfolded(std::uint32_t folded) { return (folded >> 1) ^ (0u - (folded & 1)); }
 
 /// The lowest byte of every number once it is shifted.
 void take_bytes(const std::uint32_t* values, std::size_t count, int shift, char* to) {
@@ -117,25 +112,6 @@ std::string deflated_byte_planes(const Rows& rows, const MissRow& miss) {
     return stream_of(stream);
 }
 
-template <class T>
-std::vector<T> from_byte_planes(std::string_view deflated_bytes, std::size_t count) {
-    const std::string bytes = inflated(deflated_bytes, sizeof(T) * count);
-    if (count == 0 ? !bytes.empty() : bytes.size() % count != 0)
-        throw ReportError("planes: a block is damaged: not a whole number of byte planes; run zproof again");
-    std::vector<T> values(count);
-    for (std::size_t at = 0; at < bytes.size(); ++at)
-        values[at % count] |= T(std::uint8_t(bytes[at])) << (8 * (at / count));
-    return values;
-}
-
-std::uint32_t guess_for(const std::uint32_t* values, std::size_t i, std::size_t width,
-                        Prediction prediction) {
-    const bool has_left = i % width > 0, has_upper = i >= width;
-    if (prediction == Prediction::left) return has_left ? values[i - 1] : 0;
-    if (has_left && has_upper) return values[i - 1] + values[i - width] - values[i - width - 1];
-    return has_left ? values[i - 1] : has_upper ? values[i - width] : 0;
-}
-
 /// What left prediction misses of a row.
 void miss_left(Words row, std::span<std::uint32_t> missed) {
     missed[0] = folded(row[0]);
@@ -174,26 +150,12 @@ std::string encode(Words values, std::size_t width, Prediction prediction) {
     });
 }
 
-std::vector<std::uint32_t> decode(std::string_view bytes, std::size_t count, std::size_t width,
-                                  Prediction prediction) {
-    std::vector<std::uint32_t> values = from_byte_planes<std::uint32_t>(bytes, count);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = unfolded(values[i]) + guess_for(values.data(), i, width, prediction);
-    return values;
-}
-
 std::string encode(Words values, Words guess) {
     assert(values.size() == guess.size());
     return deflated_byte_planes(
         {values.size(), run_size}, [&](std::size_t at, std::span<std::uint32_t> missed) {
             miss_beside(values.part(at, missed.size()), guess.part(at, missed.size()), missed);
         });
-}
-
-std::vector<std::uint32_t> decode(std::string_view bytes, std::span<const std::uint32_t> guess) {
-    std::vector<std::uint32_t> values = from_byte_planes<std::uint32_t>(bytes, guess.size());
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = unfolded(values[i]) + guess[i];
-    return values;
 }
 
 std::string encode_sparse(Words values, Words guess) {
@@ -211,19 +173,6 @@ std::string encode_sparse(Words values, Words guess) {
     const std::size_t width = std::max<std::size_t>(places.size(), 1);
     places.insert(places.end(), kept.begin(), kept.end());
     return encode(places, width, Prediction::left);
-}
-
-std::vector<std::uint32_t> decode_sparse(std::string_view bytes, std::size_t count,
-                                         std::span<const std::uint32_t> guess) {
-    const std::vector<std::uint32_t> words =
-        decode(bytes, 2 * count, std::max<std::size_t>(count, 1), Prediction::left);
-    std::vector<std::uint32_t> values(guess.begin(), guess.end());
-    for (std::size_t i = 0; i < count; ++i) {
-        if (words[i] >= values.size())
-            throw ReportError("planes: a block is damaged: a place beyond its plane; run zproof again");
-        values[words[i]] = words[count + i];
-    }
-    return values;
 }
 
 std::size_t missed_by(Words values, Words guess) {
@@ -247,47 +196,10 @@ std::string encode_runs(std::string_view values) {
     return deflated(runs);
 }
 
-std::string decode_runs(std::string_view bytes, std::size_t count) {
-    constexpr std::size_t most_bytes_of_run = 10;
-    const std::string runs = inflated(bytes, most_bytes_of_run * count);
-    std::string values;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        std::size_t length = 0;
-        for (int shift = 0; i < runs.size(); shift += 7) {
-            length |= std::size_t(runs[i] & 127) << shift;
-            if ((runs[i++] & 128) == 0) break;
-        }
-        if (i >= runs.size() || length > count - values.size())
-            throw ReportError("planes: a block is damaged: a run beyond its plane; run zproof again");
-        values.append(length, runs[i]);
-    }
-    if (values.size() != count)
-        throw ReportError("planes: a block is damaged: its runs end early; run zproof again");
-    return values;
-}
-
 std::string encode(std::span<const double> values) {
     std::vector<std::uint64_t> bits;
     for (const double value : values) bits.push_back(std::bit_cast<std::uint64_t>(value));
     return deflated_byte_planes(bits);
-}
-
-std::vector<double> decode_doubles(std::string_view bytes, std::size_t count) {
-    std::vector<double> values;
-    for (const std::uint64_t bits : from_byte_planes<std::uint64_t>(bytes, count))
-        values.push_back(std::bit_cast<double>(bits));
-    return values;
-}
-
-std::string inflated(std::string_view bytes, std::size_t most) {
-    std::string plain(most + 1, '\0');  // zlib refuses to write nothing into nothing
-    uLongf size = plain.size();
-    if (uncompress(reinterpret_cast<Bytef*>(plain.data()), &size, zlib_bytes(bytes), bytes.size()) != Z_OK ||
-        size > most)
-        throw ReportError("planes: a block is damaged: expected at most " + std::to_string(most) +
-                          " bytes of deflated content; run zproof again");
-    plain.resize(size);
-    return plain;
 }
 
 }  // namespace zproof::planes

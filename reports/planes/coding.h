@@ -46,30 +46,20 @@ enum class Prediction {
 
 /// Row-major, values.size() a multiple of width > 0.
 std::string encode(Words values, std::size_t width, Prediction prediction);
-std::vector<std::uint32_t> decode(std::string_view bytes, std::size_t count, std::size_t width,
-                                  Prediction prediction);
 
 /// The guess is the number at the same place of another plane of the same size.
 std::string encode(Words values, Words guess);
-std::vector<std::uint32_t> decode(std::string_view bytes, std::span<const std::uint32_t> guess);
 
 /// The guess is as for encode(), but only what it misses is kept: places, then values.
 std::string encode_sparse(Words values, Words guess);
-std::vector<std::uint32_t> decode_sparse(std::string_view bytes, std::size_t count,
-                                         std::span<const std::uint32_t> guess);
 /// How many numbers encode_sparse keeps.
 std::size_t missed_by(Words values, Words guess);
 
 /// Bytes of which neighbours are mostly equal: of each run its length, seven bits to a byte and the lowest
 /// first (all but the last have their eighth bit set), then its value.
 std::string encode_runs(std::string_view values);
-std::string decode_runs(std::string_view bytes, std::size_t count);
 
 /// The bits of doubles, byte by byte.
 std::string encode(std::span<const double> values);
-std::vector<double> decode_doubles(std::string_view bytes, std::size_t count);
-
-/// What zproof::deflated() made of at most `most` bytes. Throws ReportError where it is damaged.
-std::string inflated(std::string_view bytes, std::size_t most);
 
 }  // namespace zproof::planes

@@ -57,7 +57,7 @@ void EmbeddedPlanes::take(Choice& choice, int tier, std::size_t& budget) const {
     }
 }
 
-/// Of what was not taken.
+/// The groups of what was not taken.
 std::vector<EmbeddedPlanes::Group> EmbeddedPlanes::groups_beside(const Choice& choice) const {
     std::vector<Group> groups;
     std::vector<std::string> names;

@@ -71,7 +71,7 @@ const std::vector<Case> cases{
     {"MeasureOpenGl", {"measure", "opengl"}, 0, "opengl: as declared"},
     {"MeasureVulkan", {"measure", "vulkan"}, 0, "vulkan: as declared"},
     {"Fit", {"fit", "one.gltf", "--width", "64", "--height", "48"}, 0, "explains every pixel"},
-    {"FitAWrongView", {"fit", "one.gltf", "--view", "nix"}, 2, "say which with --view"},
+    {"FitAWrongView", {"fit", "one.gltf", "--view", "nix"}, 2, "--view nix: "},
     {"FitPoints", {"fit", "points.gltf"}, 4, "no triangles"},
     {"HelpOfMeasure", {"measure", "--help"}, 0, "zproof measure zproof"},
     {"PointsAmongTriangles", {"run", "mixed"}, 0, "no triangles"},

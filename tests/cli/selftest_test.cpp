@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "cli/selftest/fault.h"
+#include "selftest/fault.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {

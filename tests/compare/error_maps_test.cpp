@@ -103,11 +103,20 @@ TEST(ErrorMaps, AreMadeWhereTheyAreAskedFor) {
     EXPECT_TRUE(judge(t.scene, t.view, ours, theirs, full_detail).errors);
 }
 
+std::vector<std::vector<NearbyImage>> images_around(const TestScene& t, std::span<const PixelCoord> places,
+                                                    std::size_t most) {
+    std::vector<std::vector<NearbyImage>> images;
+    for (auto& [explanation, drawn] : illustrate(t.scene, t.view, {t.candidate, t.candidate_precision},
+                                                 {t.reference, t.reference_precision}, {places, 1.0, most}))
+        images.push_back(std::move(drawn));
+    return images;
+}
+
 TEST(Illustration, GivesTheTrianglesAroundAPixelNearestFirstWithDistancesInPixels) {
     const TestScene t(Projection::parallel, 4, 4,
                       {wall(8), wall_left_of(1.75, 4), wall_right_of(3.25, 2), wall(16)});
     const PixelCoord places[] = {{1, 1}, {3, 1}};
-    const auto images = images_around(t.scene, t.view, places, 1.0, 2);
+    const auto images = images_around(t, places, 2);
     ASSERT_EQ(images.size(), 2u);
     ASSERT_EQ(images[0].size(), 2u) << "the far wall is one too many, the right one too far away";
     EXPECT_EQ(images[0][0].primitive, PrimitiveId(1));
@@ -122,7 +131,7 @@ TEST(Illustration, GivesTheTrianglesAroundAPixelNearestFirstWithDistancesInPixel
 TEST(Illustration, ATriangleSeenEdgeOnIsNotDrawn) {
     const TestScene t(Projection::perspective, 4, 4, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}});
     const PixelCoord place{1, 1};
-    EXPECT_TRUE(images_around(t.scene, t.view, std::span(&place, 1), 1.0, 9).front().empty());
+    EXPECT_TRUE(images_around(t, std::span(&place, 1), 9).front().empty());
 }
 
 TEST(Explain, ManyPixelsAtOnceAreWhatEachIsByItself) {
@@ -147,14 +156,12 @@ TEST(Explain, WhatIsDrawnBesideAStoryDoesNotChangeIt) {
     const RenderedFrame ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
     const PixelCoord places[] = {{5, 4}, {2, 2}, {0, 0}, {4, 4}};
     const auto illustrated = illustrate(t.scene, t.view, ours, theirs, {places, 1, 9});
-    const auto images = images_around(t.scene, t.view, places, 1, 9);
     ASSERT_EQ(illustrated.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i) {
         const PixelExplanation explanation = explain(t.scene, t.view, ours, theirs, places[i]);
         EXPECT_EQ(in_words(t.scene, illustrated[i].explanation), in_words(t.scene, explanation));
         EXPECT_EQ(illustrated[i].explanation.reference.admissibility, explanation.reference.admissibility);
         EXPECT_EQ(illustrated[i].explanation.reference.eps_px, explanation.reference.eps_px);
-        EXPECT_EQ(illustrated[i].images.size(), images[i].size());
     }
 }
 

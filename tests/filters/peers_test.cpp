@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "filters/conformance/filter_precision_presets.h"
 #include "filters/reference/admissible_surfaces.h"
 #include "filters/reference/filter_peers.h"
 #include "filters/selftest/filter_fault.h"
@@ -40,7 +41,7 @@ TEST(OpenImageIoFilter, ConformsToItsOwnReference) {
     const auto drawn = [&](PeerFilter filter) {
         return oracle::openimageio_filtered(fixture.scene, fixture.view, fixture.frame, filter, {});
     };
-    const FilterPrecision precision = oracle::openimageio_filter_precision();
+    const FilterPrecision precision = *preset_filter_precision("oiio");
     EXPECT_FALSE(held(drawn(PeerFilter::bilinear), fixture, "bilinear", precision).is_caught());
     EXPECT_FALSE(held(drawn(PeerFilter::trilinear), fixture, "trilinear-oiio", precision).is_caught());
     EXPECT_TRUE(held(drawn(PeerFilter::trilinear), fixture, "trilinear-gl", precision).is_caught());

@@ -6,12 +6,12 @@
 #include <map>
 #include <stdexcept>
 
-#include "cli/renderers/registry.h"
-#include "cli/selftest/test_scene.h"
 #include "oracle/oracle_error.h"
 #include "program/scene_selection.h"
 #include "rasterizer/rasterizer.h"
+#include "renderers/registry.h"
 #include "scenes/scene_error.h"
+#include "selftest/test_scene.h"
 #include "tests/frozen/interior_views.h"
 #include "tests/frozen/planted.h"
 #include "tests/frozen/random_scenes.h"

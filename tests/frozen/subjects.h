@@ -5,7 +5,7 @@
 ///               fraction of a pixel, with their depths in the view itself
 ///     random    2 000 small random scenes with random answers, a hundred to a subject
 ///     suite     suite views; zproof beside Embree
-///     selftest  every fault of cli/selftest beside Embree
+///     selftest  every fault of selftest/ beside Embree
 ///     opengl    suite views; OpenGL beside Embree
 ///     povray    suite views of up to 100 000 triangles; POV-Ray beside Embree
 ///     models    the views of ../shared/models, also those from inside; zproof beside Embree

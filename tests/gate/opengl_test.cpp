@@ -20,7 +20,7 @@ TEST_P(OpenGlOnSuite, HasNoUnexplainedPixelAndKeepsItsDepthBounds) {
     for (const View& view : loaded.views) {
         SCOPED_TRACE(view.name);
         const Frame frame = opengl.render(view);
-        const Verdict verdict = judge(loaded.scene, view, {frame, oracle::opengl_precision()},
+        const Verdict verdict = judge(loaded.scene, view, {frame, oracle::OpenGlDriver().precision()},
                                       {embree.trace(view), oracle::embree_precision()});
         EXPECT_EQ(defect_count(verdict), 0u) << name_of(commonest_defect(verdict));
         EXPECT_EQ(verdict.reference_defects, 0u);
@@ -51,7 +51,7 @@ std::uint64_t pixels_of(PixelClass found, const std::string& scene, const Precis
 }
 
 TEST(OpenGlPromise, OfReversedZIsRedWhereTheDriverHasStandardZ) {
-    auto promise = std::get<RasterPrecision>(oracle::opengl_precision());
+    auto promise = std::get<RasterPrecision>(oracle::OpenGlDriver().precision());
     const bool is_standard = promise.depth_buffer == DepthBuffer::standard_z;
     promise.depth_buffer = DepthBuffer::reversed_z;
     promise.clip_range = ClipRange::zero_to_one;
@@ -67,7 +67,7 @@ TEST_P(OpenGlAsOracle, AgreesWithTheCorrectRasterizerAndFailsABrokenOne) {
     const Frame oracle = oracle::OpenGl(loaded.scene).render(view);
     const auto defects_of = [&](const Frame& frame) {
         return defect_count(judge(loaded.scene, view, {frame, rasterizer::precision()},
-                                  {oracle, oracle::opengl_precision()}));
+                                  {oracle, oracle::OpenGlDriver().precision()}));
     };
     Frame frame = rasterizer::render(loaded.scene, view);
     EXPECT_EQ(defects_of(frame), 0u);

@@ -54,7 +54,8 @@ TEST_P(SuiteScene, PassesByDepthAloneAndByMaterials) {
             EXPECT_EQ(defect_count(ray_caster), 0u) << "Embree by " << ids << ": " << in_words(ray_caster);
             if (!has_opengl) continue;
             const Frame drawn = oracle::OpenGl(loaded.scene).render(view);
-            const Verdict opengl = judged_by(ids, loaded, view, {drawn, oracle::opengl_precision()}, theirs);
+            const Verdict opengl =
+                judged_by(ids, loaded, view, {drawn, oracle::OpenGlDriver().precision()}, theirs);
             EXPECT_EQ(defect_count(opengl), 0u) << "OpenGL by " << ids << ": " << in_words(opengl);
         }
     }

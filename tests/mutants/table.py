@@ -132,7 +132,7 @@ def write_page(file, rows, lines, false_alarms, catalogue_size):
     if not any("cause" in line for line in lines):
         text += "**Not complete:** the diagnosis was not asked.\n\n"
     text += summary(rows, faults, false_alarms) + diagnosis_line(rows, faults)
-    text += (f"\nOf {len(controls)} good frames among the injected faults (`cli/selftest/clean_frames.cpp`) the gate passes "
+    text += (f"\nOf {len(controls)} good frames among the injected faults (`selftest/clean_frames.cpp`) the gate passes "
              f"{sum(line['as_expected'] for line in controls)}.\n")
     write_rows(file, "planted", PLANTED_COLUMNS, [mutant_row(row) for row in rows])
     write_rows(file, "injected", INJECTED_COLUMNS, [fault_row(line) for line in faults])

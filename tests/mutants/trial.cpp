@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/selftest/test_scene.h"
 #include "rasterizer/rasterizer.h"
+#include "selftest/test_scene.h"
 #include "tests/mutants/rivals.h"
 #include "tests/mutants/suite_trial.h"
 

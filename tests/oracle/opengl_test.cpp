@@ -158,12 +158,12 @@ TEST(OpenGlTest, AnyThreadMayAskAndAllAtOnce) {
 }
 
 TEST(OpenGlTest, NamesVendorRendererAndVersion) {
-    EXPECT_THAT(opengl_version(), testing::MatchesRegex(".+, .+, OpenGL [3-9]\\.[0-9].*"));
+    EXPECT_THAT(OpenGlDriver().version(), testing::MatchesRegex(".+, .+, OpenGL [3-9]\\.[0-9].*"));
 }
 
 /// OpenGL asks for 4 sub-pixel bits at least (4.5 core, table 23.53).
 TEST(OpenGlTest, PromisesTheDriversSubpixelBitsAndTheZThatItCanHave) {
-    const auto precision = std::get<RasterPrecision>(opengl_precision());
+    const auto precision = std::get<RasterPrecision>(OpenGlDriver().precision());
     EXPECT_GE(precision.subpixel_bits, 4);
     EXPECT_EQ(precision.depth_buffer, is_old() ? DepthBuffer::standard_z : DepthBuffer::reversed_z);
     EXPECT_EQ(precision.clip_range, is_old() ? ClipRange::minus_one_to_one : ClipRange::zero_to_one);

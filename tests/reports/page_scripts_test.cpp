@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "reports/deep_link.h"
 #include "tests/reports/sample.h"
 
 namespace zproof {
@@ -22,15 +21,6 @@ TEST(PageScripts, StandInTheirElementsWithoutEndingThem) {
     loading.loads_others = true;
     EXPECT_EQ(occurrences(content_policy(loading), "' 'self' file:; style-src"), 1u);
     EXPECT_NE(table_script().sha256, viewer_script().sha256);
-}
-
-TEST(DeepLink, NamesTheViewByItsFolder) {
-    ViewResult view = sample_results().views[1];
-    EXPECT_EQ(deep_link(view, 812, 344), "report.html#view=room-corner&x=812&y=344");
-    view.folder = "scenes/a b";
-    EXPECT_EQ(deep_link(view, 0, 1), "report.html#view=a%20b&x=0&y=1");
-    view.folder.clear();
-    EXPECT_EQ(deep_link(view, 0, 0), "");
 }
 
 }  // namespace zproof

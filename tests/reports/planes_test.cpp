@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
-#include "reports/planes/coding.h"
 #include "reports/planes/deflate.h"
 #include "reports/planes/error_code.h"
+#include "tests/reports/plane_decoder.h"
 #include "tests/reports/sample.h"
 
 namespace zproof::planes {

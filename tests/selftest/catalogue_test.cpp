@@ -6,8 +6,8 @@
 #include <ostream>
 #include <set>
 
-#include "cli/selftest/test_scene.h"
 #include "compare/adjudicate/unproven_pixels.h"
+#include "selftest/test_scene.h"
 
 namespace zproof::selftest {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cli/selftest/score.h"
+#include "selftest/score.h"
 
 namespace zproof::selftest {
 namespace {

@@ -32,7 +32,7 @@ export class Cards {
             element('span', {class: 'fine'}, view.row ? this.differences(view) : view.message), view.cause && element('span', {}, view.cause));
     }
 
-    /// Of a view with defects, those alone.
+    /// How many pixels differ, class by class; where some are defects, those alone.
     private differences(view: JudgedView): string {
         const {classes} = this.run, fails = defects(view, classes) > 0;
         const found = classes.flatMap((style, i) =>

@@ -50,7 +50,7 @@ export function sparse(planes: Uint8Array, count: number, guess: Uint32Array): U
     return words;
 }
 
-/// Of each run its length, seven bits to a byte and the lowest first, then its value.
+/// Reads runs: the length of each, seven bits to a byte and the lowest first, then its value.
 export function fromRuns(runs: Uint8Array, count: number): Uint8Array<ArrayBuffer> {
     const values = new Uint8Array(count);
     for (let i = 0, at = 0; i < runs.length; ++i) {

@@ -10,7 +10,7 @@ export type Header = {width: number; height: number; scene: string; view: string
                       leftOut?: string[];  // names of blocks that the page does not hold
                       scripts?: Record<string, string[]>};  // of these, by the file beside the page that does
 
-/// Of a judged view (reports/planes/view_planes.cpp).
+/// The header of a judged view (reports/planes/view_planes.cpp).
 export type JudgedHeader = Header & {
     candidate: string; reference: string; oracles: string[]; explain: [string, string];
     inverse_depth: [number | null, number | null]; perspective: boolean;

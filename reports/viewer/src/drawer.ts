@@ -76,7 +76,7 @@ export class Drawer implements PixelDrawer {
         this.filter(selectionOf(planes, this.parts.holds(planes, kind)), this.parts.styles[kind].name, this.list);
     }
 
-    /// Of the list and the histograms, only `keep` goes on to show its choice.
+    /// Only `keep`, of the list and the histograms, goes on to show its choice.
     private filter(selection: Selection | null, words: string, keep: {clear(): void} | null = null): void {
         for (const chooser of [this.list, ...this.histograms]) if (chooser !== keep) chooser.clear();
         this.note.textContent = words && 'Only ' + words + '   (X: all)';

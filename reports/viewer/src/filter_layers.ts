@@ -9,7 +9,7 @@ import type {ColourKey, Layer, Painted} from './layers';
 import {rounded} from './numbers';
 import type {Planes} from './planes';
 
-/// Of greys one number.
+/// A grey is one number.
 function triple(numbers: string[]): string { return new Set(numbers).size === 1 ? numbers[0] : numbers.join(' '); }
 
 /// How bright pictures are shown, and which errors.
@@ -217,7 +217,7 @@ function regionLayer(view: FilterView): Layer {
     };
 }
 
-/// Of the layers of every method.
+/// The id of a layer that every method has.
 export function tiledId(kind: 'picture' | 'error', method: string): string { return `${kind}:${method}`; }
 
 /// Every layer of a view, the most asked for first; `offered` are the names of planes that exist, in the page or not.

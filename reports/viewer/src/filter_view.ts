@@ -6,7 +6,7 @@ import {claimPlanesOf, distanceOutside} from './filter_claim';
 import type {Claim, Permitted} from './filter_claim';
 import type {Planes} from './planes';
 
-/// Of a studied view (filters/report/evidence_planes.cpp).
+/// The header of a studied view (filters/report/evidence_planes.cpp).
 export type StudyHeader = Header & {
     truth: string; regions: {name: string; pixels: number}[]; methods: string[]; explain: string;
     claims?: Record<string, Claim>;  // by the picture's label

@@ -63,7 +63,7 @@ export class Histogram {
         this.draw();
     }
 
-    /// The same bin again takes the filter away.
+    /// A bin that is chosen again takes the filter away.
     private choose(bin: number): void {
         if (!this.bins || bin < 0 || (!this.bins.counts[bin] && bin !== this.chosen)) return;
         this.chosen = bin === this.chosen ? -1 : bin;

@@ -142,7 +142,7 @@ export class Inspector implements PixelInspector {
     }
 }
 
-/// Of candidate, reference and oracles, as far as planes are decoded or the finding is listed.
+/// The answers of candidate, reference and oracles, as far as planes are decoded or the finding is listed.
 function answersAt(planes: Planes, pixel: number): Answer[] {
     const f = planes.findings, row = planes.finding(pixel), header = planes.judged;
     const word = (name: string): number | null => (planes.now(name) as Uint32Array | null)?.[pixel] ?? null;

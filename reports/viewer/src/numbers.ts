@@ -39,7 +39,7 @@ export function ulpsBetween(a: number, b: number): number {
     return rank(b) - rank(a);
 }
 
-/// The same of two numbers that are floats.
+/// How many floats two numbers that are floats lie apart.
 export function rankBetween(a: number, b: number): number { return ulpsBetween(bitsOf(a), bitsOf(b)); }
 
 export function grouped(value: number): string {

@@ -27,7 +27,7 @@ export class Planes {
     constructor(private readonly container: Container) {}
 
     get header(): Header { return this.container.header; }
-    /// Of a judged view, and of no other.
+    /// The header of a judged view; another has none.
     get judged(): JudgedHeader { return this.container.header as JudgedHeader; }
     get width(): number { return this.header.width; }
     get height(): number { return this.header.height; }

@@ -19,7 +19,7 @@ function indices(count: number, from: number, perPixel: number, size: number): I
     });
 }
 
-/// The same as a range [begin, end): all pixels that it touches; empty outside.
+/// For each column (or row), the range [begin, end) of all pixels that it touches; empty outside.
 function spans(count: number, from: number, perPixel: number, size: number): {begin: Int32Array; end: Int32Array} {
     const begin = new Int32Array(count), end = new Int32Array(count);
     for (let i = 0; i < count; ++i) {

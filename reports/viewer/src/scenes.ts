@@ -51,7 +51,7 @@ export class SceneList {
             !this.wanted.size || [...this.wanted].some((chip) => this.style.chips[chip].holds(this.views[i])));
     }
 
-    /// Of many, those around the current one.
+    /// Lists the scenes; where they are many, those around the current one.
     private fill(): void {
         const all = this.visible(), at = Math.max(0, all.indexOf(this.current) - mostShown / 2);
         const shown = all.slice(Math.min(at, Math.max(0, all.length - mostShown))).slice(0, mostShown);

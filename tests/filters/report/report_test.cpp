@@ -15,7 +15,7 @@
 #include "filters/report/tables.h"
 #include "reports/page_scripts.h"
 #include "reports/pages/chart.h"
-#include "reports/planes/coding.h"
+#include "tests/reports/plane_decoder.h"
 
 namespace zproof {
 namespace {
