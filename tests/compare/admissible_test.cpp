@@ -7,9 +7,11 @@
 
 #include "brute_force.h"
 #include "compare/admissible/admissibility.h"
+#include "compare/admissible/coplanar.h"
 #include "math/interval.h"
 #include "math/lazy_rational.h"
 #include "random_surroundings.h"
+#include "test_scene.h"
 
 namespace zproof {
 namespace {
@@ -80,6 +82,30 @@ TEST(AdmissibleSet, AgreesWithBruteForceOnRandomAndHardSurroundings) {
     EXPECT_GT(decided, asked / 2) << "intervals decide most questions";
     EXPECT_GT(yes, asked / 10);
     EXPECT_LT(yes, 9 * asked / 10);
+}
+
+/// Two edges of a triangle whose directions have the same quotient of slope_of(): they are two lines.
+TEST(AdmissibleSet, KeepsEdgesOfOneSlopeApart) {
+    constexpr double eps_px = 1.0 / 512;
+    const View view = pixel_view(Projection::parallel, 4, 4);
+    const ViewBounds bounds(view, raster_precision());
+    int seen = 0;
+    for (int offset = -24; offset <= 24; ++offset) {
+        SCOPED_TRACE(offset);
+        const double x = 1.5 + offset % 7 * eps_px / 2, y = 1.5 + offset / 7 * eps_px / 2;
+        const Triangle one{{{x, y, 8}, {x - 1.5, y - 5, 8}, {x + 3.5, y, 3}}};
+        const Triangle below{{{x - 3.5, y, 13}, {x + 3.5, y, 3}, {x, 12, 8}}};
+        const Scene scene = scene_of(view, {one, below, wall(20)});
+        const auto corner = [&](std::size_t i) { return scene.vertices.position_world[i]; };
+        ASSERT_FALSE(are_turned(slope_of(corner(0), corner(1)), slope_of(corner(0), corner(2))));
+        const Neighbourhood around = surroundings(scene, view, bounds, {1, 1}, 0);
+        const brute_force::Picture plain(around);
+        AdmissibleSet<Rational> exact(around);
+        EXPECT_EQ(exact.is_visible(2), plain.is_visible(2));
+        seen += plain.is_visible(2);
+    }
+    EXPECT_GT(seen, 10);
+    EXPECT_LT(seen, 49);
 }
 
 }  // namespace
