@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstdint>
 #include <cstring>
 #include <iostream>
 #include <stdexcept>
@@ -27,39 +26,6 @@
 
 namespace zproof {
 namespace {
-
-/// What stands before the text.
-struct Head {
-    std::uint64_t size;
-    Message::Kind kind;
-};
-
-bool write_all(int to, const char* from, std::size_t size) {
-    while (size > 0) {
-        const ssize_t count = ::write(to, from, size);
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return false;
-        from += count, size -= std::size_t(count);
-    }
-    return true;
-}
-
-bool read_all(int from, char* to, std::size_t size) {
-    while (size > 0) {
-        const ssize_t count = ::read(from, to, size);
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) return false;
-        to += count, size -= std::size_t(count);
-    }
-    return true;
-}
-
-/// Writes all of it. False where nobody reads it any more.
-bool send(int to, const Message& message) {
-    const Head head{message.text.size(), message.kind};
-    return write_all(to, reinterpret_cast<const char*>(&head), sizeof head) &&
-           write_all(to, message.text.data(), message.text.size());
-}
 
 /// Candidate, reference, and the oracles that can be asked. Throws OracleError for one that must be there
 /// and is not.
@@ -169,14 +135,6 @@ Worker::~Worker() {
     if (id_ == 0) return;
     ::kill(id_, SIGKILL);
     end();
-}
-
-std::optional<Message> Worker::next() const {
-    Head head{};
-    if (!read_all(from_.number(), reinterpret_cast<char*>(&head), sizeof head)) return std::nullopt;
-    Message message{head.kind, std::string(head.size, '\0')};
-    if (!read_all(from_.number(), message.text.data(), head.size)) return std::nullopt;
-    return message;
 }
 
 std::string Worker::end() {

@@ -8,17 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "cli/message_pipe.h"
 #include "cli/scene_run.h"
 #include "oracle/file_descriptor.h"
 
 namespace zproof {
-
-/// What a worker tells.
-struct Message {
-    enum class Kind : char { facts, stage, scene, usage_error, error, internal_error };
-    Kind kind;
-    std::string text;
-};
 
 class Worker {
   public:
@@ -31,9 +25,8 @@ class Worker {
     Worker& operator=(const Worker&) = delete;
 
     /// First the renderers' facts, then the stages and the results of each scene: Results as
-    /// MessagePack, with the renderers, or with views. Nothing where it has ended, be it in the
-    /// midst of a message.
-    std::optional<Message> next() const;
+    /// MessagePack, with the renderers, or with views. Nothing where it has ended.
+    std::optional<Message> next() const { return receive(from_.number()); }
 
     /// Waits for its end. "killed by signal 11 (Segmentation fault)"; empty where it ended as it should.
     std::string end();

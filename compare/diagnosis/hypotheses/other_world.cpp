@@ -12,7 +12,7 @@ namespace {
 /// How far triangles are looked for around every pixel, px.
 constexpr double searched_px = 1;
 
-/// Pixels of a frame that are looked at before anything is searched.
+/// Pixels of a frame that are looked at to learn whether it may show a world.
 constexpr std::size_t most_asked = 128;
 
 const RuleOverride as_it_is;
