@@ -75,7 +75,7 @@ struct Blend {
             const double way = (q[k] - p[k]) / samples, from = t[k] - p[k];
             if (way == 0 && from != 0) return false;
             if (way == 0) continue;
-            const auto [least, greatest] = std::minmax((from - 0.5) / way, (from + 0.5) / way);
+            const auto [least, greatest] = std::minmax({(from - 0.5) / way, (from + 0.5) / way});
             low = std::max(low, least);
             high = std::min(high, greatest);
         }
