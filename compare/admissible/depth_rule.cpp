@@ -100,7 +100,8 @@ DepthCheck check_depth(const View& view, const ViewBounds& bounds, const Corners
     return {.bound = bound,
             .error_over_bound = error_over_bound(bound, depth),
             .is_admissible = triangle.certainly_holds(bound, depth) ||
-                             is_admissible_depth(view, bounds, p_world, place, depth)};
+                             (!triangle.certainly_refuses(bound, depth) &&
+                              is_admissible_depth(view, bounds, p_world, place, depth))};
 }
 
 }  // namespace zproof

@@ -43,6 +43,13 @@ class TriangleDepth {
         return perspective ? holds<Projection::perspective>(bound, depth, error)
                            : holds<Projection::parallel>(bound, depth, error);
     }
+    /// Does it lie outside the interval by more than the interval's width and our own rounding? No arithmetic
+    /// holds such a depth admissible: the width is more than rounding changes of any term of the bound.
+    bool certainly_refuses(const DepthBound& bound, float depth) const {
+        if (!has_plane_ || !(bound.high < unlimited)) return false;
+        return projection_ == Projection::perspective ? refuses<Projection::perspective>(bound, depth)
+                                                      : refuses<Projection::parallel>(bound, depth);
+    }
     /// Error / bound at a pixel; -1 where double does not hold the depth admissible for certain. The triangle
     /// must have a plane. Computes without branches, so that the compiler does several pixels at a time.
     template <Projection projection>
@@ -99,6 +106,13 @@ class TriangleDepth {
         const double z = depth;
         return (z >= 0) & (bound.low + unsure_of<projection>(z, own_error) <= z) &
                (z <= bound.high - unsure_of<projection>(bound.high, own_error));
+    }
+    template <Projection projection>
+    bool refuses(const DepthBound& bound, double z) const {
+        const double unsure =
+            bound.high - bound.low + unsure_of<projection>(std::abs(bound.high), own_error_);
+        const bool is_known = projection == Projection::parallel || own_error_ * bound.high <= 0.5;
+        return is_known && z >= 0 && z < unlimited && (z < bound.low - unsure || z > bound.high + unsure);
     }
 
     Affine<double> inverse_depth_{0, 0, 0};

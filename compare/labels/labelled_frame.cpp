@@ -1,5 +1,6 @@
 #include "compare/labels/labelled_frame.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -86,7 +87,6 @@ class LabelledFrame {
 
     /// Names what needs no search; lists the other pixels.
     void name_in_row(int y, Frame& frame, std::vector<PixelCoord>& open) const {
-        DepthOfOne depth_of_reference;
         for (int x = 0; x < view_.width; ++x) {
             const PixelCoord pixel{x, y};
             const std::uint32_t label = label_at(pixel);
@@ -97,7 +97,7 @@ class LabelledFrame {
                 named = PrimitiveId::none;
             else if (first == no_such_triangle || std::isnan(depth))
                 named = first;
-            else if (has_label(reference, label) && holds_depth(depth_of_reference, reference, pixel))
+            else if (has_label(reference, label) && holds_depth(reference, pixel))
                 named = reference;
             else
                 open.push_back(pixel);
@@ -109,25 +109,32 @@ class LabelledFrame {
         return t < labels_.of_triangle.size() && labels_.of_triangle[t] == label;
     }
 
-    /// The depth of the triangle that was asked about last.
     struct DepthOfOne {
         PrimitiveId triangle = PrimitiveId::none;
         CornersWorld p_world{};
         TriangleDepth depth;
     };
+    /// Depths of one thread, each where the triangle's id modulo their number says: neighbours ask for the
+    /// same.
+    using RecentDepths = std::vector<DepthOfOne>;
+    static constexpr std::size_t most_recent = 1024;
 
-    bool holds_depth(DepthOfOne& last, PrimitiveId triangle, const PixelCoord& pixel) const {
-        if (last.triangle != triangle) last = depth_of(triangle);
-        return check(last, pixel).is_admissible;
+    bool holds_depth(PrimitiveId triangle, const PixelCoord& pixel) const {
+        return check(triangle, pixel).is_admissible;
     }
 
-    DepthOfOne depth_of(PrimitiveId triangle) const {
-        const CornersWorld p_world = corners_of(scene_, std::uint32_t(triangle));
-        const ViewBounds& shown = labelled_.shown_bounds;
-        return {triangle, p_world, TriangleDepth(TriangleInView(view_, shown, p_world), shown)};
+    const DepthOfOne& depth_of(PrimitiveId triangle) const {
+        DepthOfOne& recent = recent_.local()[std::size_t(triangle) % most_recent];
+        if (recent.triangle != triangle) {
+            const CornersWorld p_world = corners_of(scene_, std::uint32_t(triangle));
+            const ViewBounds& shown = labelled_.shown_bounds;
+            recent = {triangle, p_world, TriangleDepth(TriangleInView(view_, shown, p_world), shown)};
+        }
+        return recent;
     }
 
-    DepthCheck check(const DepthOfOne& of, const PixelCoord& pixel) const {
+    DepthCheck check(PrimitiveId triangle, const PixelCoord& pixel) const {
+        const DepthOfOne& of = depth_of(triangle);
         return check_depth(view_, labelled_.shown_bounds, of.p_world, of.depth, pixel,
                            labelled_.frame.camera_depth.at(pixel.x, pixel.y));
     }
@@ -155,7 +162,7 @@ class LabelledFrame {
         std::vector<DepthFit> fits;
         for (const std::uint32_t t : near) {
             if (!has_label(PrimitiveId(t), label_at(pixel))) continue;
-            const DepthCheck depth = check(depth_of(PrimitiveId(t)), pixel);
+            const DepthCheck depth = check(PrimitiveId(t), pixel);
             const double error = labelled_.frame.camera_depth.at(pixel.x, pixel.y) - depth.bound.truth;
             fits.push_back({PrimitiveId(t), depth.is_admissible, std::abs(error)});
         }
@@ -220,6 +227,7 @@ class LabelledFrame {
     const TriangleLabels& labels_;
     const Frame& reference_;
     FirstTriangles first_;
+    mutable tbb::enumerable_thread_specific<RecentDepths> recent_{RecentDepths(most_recent)};
 };
 
 }  // namespace

@@ -45,6 +45,10 @@ bool is_admissible_exactly(const View& view, const ViewBounds& bounds, const Cor
 
 std::vector<float> depths_around(const DepthBound& bound) {
     std::vector<float> depths;
+    for (const double widths : {0.01, 0.99, 1.01, 2.0, 1e3})
+        for (const double end :
+             {bound.low - widths * (bound.high - bound.low), bound.high + widths * (bound.high - bound.low)})
+            if (std::isfinite(float(end)) && end >= 0) depths.push_back(float(end));
     for (const double end : {bound.low, bound.truth, bound.high}) {
         const auto z = float(end);
         constexpr float most = std::numeric_limits<float>::max();
@@ -54,8 +58,8 @@ std::vector<float> depths_around(const DepthBound& bound) {
     return depths;
 }
 
-TEST(TriangleDepth, CertainlyHoldsOnlyWhatIsAdmissibleAtTheEndsAndTheirNeighbours) {
-    int certain = 0, admissible = 0, asked = 0;
+TEST(TriangleDepth, CertainlyHoldsOnlyWhatIsAdmissibleAndRefusesNoneOfIt) {
+    int certain = 0, refused = 0, admissible = 0, asked = 0;
     for (std::uint32_t seed = 0; seed < 600; ++seed) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
@@ -68,11 +72,14 @@ TEST(TriangleDepth, CertainlyHoldsOnlyWhatIsAdmissibleAtTheEndsAndTheirNeighbour
                 const DepthCheck check = check_depth(s.view, bounds, n.p_world, depth, {s.x, s.y}, z);
                 ASSERT_EQ(check.is_admissible, is_admissible) << z;
                 ASSERT_TRUE(is_admissible || !depth.certainly_holds(bound, z)) << z;
+                ASSERT_FALSE(is_admissible && depth.certainly_refuses(bound, z)) << z;
                 ++asked, admissible += is_admissible, certain += depth.certainly_holds(bound, z);
+                refused += depth.certainly_refuses(bound, z);
             }
         }
     }
     EXPECT_GT(certain, asked / 10);
+    EXPECT_GT(refused, asked / 10);
     EXPECT_GT(admissible, certain);
     EXPECT_LT(admissible, 9 * asked / 10);
 }
@@ -115,13 +122,15 @@ struct Wall {
     Wall(double own_error, Projection projection)
         : view(pixel_view(projection, 4, 4)),
           bounds(view, ray_precision()),
-          triangle(view, bounds, corners_of(scene_of(view, {wall(4)}), 0)) {
+          p_world(corners_of(scene_of(view, {wall(4)}), 0)),
+          triangle(view, bounds, p_world) {
         triangle.own_error = own_error;
     }
     TriangleDepth depth() const { return {triangle, bounds}; }
 
     View view;
     ViewBounds bounds;
+    CornersWorld p_world;
     TriangleInView triangle;
 };
 
@@ -138,6 +147,35 @@ TEST_P(OwnError, KeepsADepthNearItsBoundFromBeingCertain) {
         EXPECT_FALSE(vague.depth().certainly_holds(bound, z));
         EXPECT_EQ(certain_error(known.depth(), {1, 1}, z), error_over_bound(bound, z));
         EXPECT_EQ(certain_error(vague.depth(), {1, 1}, z), undecided_error);
+    }
+}
+
+TEST_P(OwnError, KeepsADepthNearItsBoundFromBeingRefused) {
+    const DepthBound bound = Wall(0, GetParam()).depth().at(1, 1);
+    const double width = bound.high - bound.low;
+    const TriangleDepth known = Wall(1e-12, GetParam()).depth(), vague = Wall(1e-3, GetParam()).depth(),
+                        unknown = Wall(1, GetParam()).depth();
+    for (const auto& [end, outwards] : {std::pair{bound.low, -width}, std::pair{bound.high, width}}) {
+        const auto beside = float(end + 0.5 * outwards), beyond = float(end + 4 * outwards);
+        EXPECT_FALSE(known.certainly_refuses(bound, beside));
+        EXPECT_TRUE(known.certainly_refuses(bound, beyond));
+        EXPECT_FALSE(vague.certainly_refuses(bound, beyond));
+        EXPECT_FALSE(unknown.certainly_refuses(bound, beyond));
+    }
+    EXPECT_TRUE(vague.certainly_refuses(bound, 5));
+    EXPECT_EQ(unknown.certainly_refuses(bound, 50), GetParam() == Projection::parallel)
+        << "half a plane's inverse depth and more may be error: nothing is beyond it";
+    for (const float z : {background_depth, -1.f, std::numeric_limits<float>::quiet_NaN()})
+        EXPECT_FALSE(known.certainly_refuses(bound, z)) << z;
+}
+
+TEST_P(OwnError, LetsExactArithmeticHoldWhatDoubleDoesNot) {
+    Wall wall(0, GetParam());
+    wall.triangle.inverse_depth.c += 1e-3;
+    for (const double own_error : {0.0, 2e-3}) {
+        wall.triangle.own_error = own_error;
+        const DepthCheck check = check_depth(wall.view, wall.bounds, wall.p_world, wall.depth(), {1, 1}, 4);
+        EXPECT_EQ(check.is_admissible, own_error > 0) << "an error that is not known of leaves 4 out";
     }
 }
 
