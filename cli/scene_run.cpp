@@ -90,7 +90,7 @@ Frame ask(Renderer& renderer, const ViewRun& view_run) {
 /// What candidate and reference answered, and what the judge said.
 struct JudgedPair {
     RenderedFrame candidate, reference;
-    const Verdict& verdict;
+    Verdict& verdict;
 };
 
 /// Asks the oracles, and counts where everybody names the same triangle. Are their frames and pictures kept?
@@ -179,6 +179,58 @@ std::vector<std::string> names_of_judged(const ViewRun& view_run, const Attribut
     return names;
 }
 
+/// What the page shows of the view; all evidence of one that is kept whole.
+void write_pictures(const ViewRun& view_run, const JudgedPair& judged, bool is_whole, ViewResult& result) {
+    const ViewContext& context = view_run.context;
+    const RunConfig& config = view_run.config;
+    begin(view_run, "write", &StageTimes::write);
+    result.folder = "scenes/" + config.names.next(context.source.name, shown_name(context.view));
+    const std::filesystem::path folder = config.run_folder / result.folder;
+    const auto picture = [&](PictureSize size) {
+        return picture_of(context, judged.candidate.frame, judged.verdict.classes, size);
+    };
+    write_view_summary(folder, picture(card_picture), judged.verdict);
+    if (!is_whole) return;
+    write_view_evidence(folder, judged.candidate.frame, judged.reference.frame, judged.verdict);
+    write_large_picture(folder, picture(large_picture));
+}
+
+/// The result, its files written while its cause is looked for. Nothing where that was interrupted.
+std::optional<ViewResult> explained(const ViewRun& view_run, const CandidateFrame& candidate,
+                                    const JudgedPair& judged) {
+    const ViewContext& context = view_run.context;
+    const RunConfig& config = view_run.config;
+    std::optional<Diagnosis> diagnosis;
+    bool is_diagnosed = true;
+    const auto find_cause = [&, earlier = config.causes.earlier()] {
+        diagnosis = diagnose(context.scene, context.view, judged.candidate, judged.reference, judged.verdict,
+                             {candidate.said(), view_run.opened.candidate.convention}, {}, earlier);
+    };
+    tbb::task_group beside;
+    if (config.diagnosis == CauseSearch::done)
+        beside.run([&] { is_diagnosed = done_uninterrupted(find_cause); });
+    const bool is_whole = leaves_evidence(judged.verdict, config.evidence);
+    const std::vector<Finding> told = is_whole ? judged.verdict.findings : failing(judged.verdict.findings);
+    ViewResult result = to_view_result(context, judged.verdict, told, config.gate, candidate);
+    if (is_whole || config.shows_every_view) write_pictures(view_run, judged, is_whole, result);
+    view_run.clock.begin(&StageTimes::oracles);
+    const std::vector<OracleAnswer> answers = ask_oracles(view_run, judged, is_whole, result);
+    if (!result.folder.empty()) {
+        begin(view_run, "write", &StageTimes::write);
+        const auto write_for_viewer = is_whole ? write_viewer_evidence : write_viewer_summary;
+        write_for_viewer(config.run_folder / result.folder,
+                         {context, judged.candidate, judged.reference, judged.verdict, answers});
+    }
+    begin(view_run, "judge", &StageTimes::judge);
+    beside.wait();
+    if (!is_diagnosed) {
+        if (!result.folder.empty()) std::filesystem::remove_all(config.run_folder / result.folder);
+        return std::nullopt;
+    }
+    result.diagnosis = std::move(diagnosis);
+    return result;
+}
+
 /// Returns nothing where it was interrupted between two stages.
 std::optional<ViewResult> run_view(const ViewRun& view_run) {
     const auto& [context, opened, config, clock, place, is_last] = view_run;
@@ -208,44 +260,12 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
     const RenderedFrame ours{candidate.frame, opened.candidate.precision},
         theirs{reference, opened.reference.precision};
     Verdict verdict;
-    std::optional<Diagnosis> diagnosis;
-    const auto judge_and_diagnose = [&] {
-        verdict = judge_as_wanted(view_run, ours, theirs);
-        if (config.diagnosis == CauseSearch::done)
-            diagnosis =
-                diagnose(scene, view, ours, theirs, verdict, {candidate.said(), opened.candidate.convention},
-                         {}, config.causes.earlier());
-    };
-    if (!done_uninterrupted(judge_and_diagnose)) return std::nullopt;
-    const bool is_whole = leaves_evidence(verdict, config.evidence);
-    const std::vector<Finding> told = is_whole ? verdict.findings : failing(verdict.findings);
-    ViewResult result = to_view_result(context, verdict, told, config.gate, candidate);
-    result.diagnosis = std::move(diagnosis);
-    result.notes.insert(result.notes.end(), remarks.begin(), remarks.end());
-    result.attributes = attributes;
+    if (!done_uninterrupted([&] { verdict = judge_as_wanted(view_run, ours, theirs); })) return std::nullopt;
 
-    if (is_whole || config.shows_every_view) {
-        begin(view_run, "write", &StageTimes::write);
-        result.folder = "scenes/" + config.names.next(source.name, shown_name(view));
-        const std::filesystem::path folder = config.run_folder / result.folder;
-        const auto picture = [&](PictureSize size) {
-            return picture_of(context, candidate.frame, verdict.classes, size);
-        };
-        write_view_summary(folder, picture(card_picture), verdict);
-        if (is_whole) {
-            write_view_evidence(folder, candidate.frame, reference, verdict);
-            write_large_picture(folder, picture(large_picture));
-        }
-    }
-
-    clock.begin(&StageTimes::oracles);
-    const std::vector<OracleAnswer> answers =
-        ask_oracles(view_run, {ours, theirs, verdict}, is_whole, result);
-
-    if (result.folder.empty()) return result;
-    begin(view_run, "write", &StageTimes::write);
-    const auto write_for_viewer = is_whole ? write_viewer_evidence : write_viewer_summary;
-    write_for_viewer(config.run_folder / result.folder, {context, ours, theirs, verdict, answers});
+    std::optional<ViewResult> result = explained(view_run, candidate, {ours, theirs, verdict});
+    if (!result) return std::nullopt;
+    result->notes.insert(result->notes.end(), remarks.begin(), remarks.end());
+    result->attributes = attributes;
     return result;
 }
 
