@@ -4,12 +4,12 @@
     zproof run room --renderer 'python3 examples/gallery/blender_render.py {scene} {camera} {out}' --precision cycles
 """
 import os
-import subprocess
 import sys
 import tempfile
 
 here = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(here, '..', 'contract'))
+sys.path[:0] = [here, os.path.join(here, '..', 'contract')]
+import in_blender  # noqa: E402
 import zproof_contract as contract  # noqa: E402
 
 
@@ -36,7 +36,6 @@ def set_camera(bpy, mathutils, camera):
     left, right, bottom, top = (camera.window[key] for key in ('left', 'right', 'bottom', 'top'))
     per_px = (right - left) / camera.width
     longer = per_px * max(camera.width, camera.height)
-    scene.render.pixel_aspect_x, scene.render.pixel_aspect_y = 1, 1
     if abs((top - bottom) / camera.height / per_px - 1) > 1e-6 or any(camera.shear):
         sys.exit('projections: Cycles has no oblique ones and no pixels that are not square here')
     data.type = 'PERSP' if camera.perspective else 'ORTHO'
@@ -54,27 +53,22 @@ def set_up_cycles(bpy, camera, folder):
     scene, layer = bpy.context.scene, bpy.context.view_layer
     scene.render.engine = 'CYCLES'
     scene.render.resolution_x, scene.render.resolution_y = camera.width, camera.height
-    scene.render.resolution_percentage = 100
     scene.cycles.samples, scene.cycles.use_adaptive_sampling, scene.cycles.use_denoising = 1, False, False
-    scene.cycles.pixel_filter_type, scene.cycles.filter_width = 'BLACKMAN_HARRIS', 0.01
-    scene.cycles.max_bounces = 0
+    scene.cycles.filter_width, scene.cycles.max_bounces = 0.01, 0
     layer.use_pass_z = True
-    aov = layer.aovs.add()
-    aov.name, aov.type = 'id', 'VALUE'
-    scene.render.film_transparent = True
+    layer.aovs.add().name = 'id'
+    layer.aovs['id'].type = 'VALUE'
     scene.render.image_settings.file_format, scene.render.image_settings.color_depth = 'OPEN_EXR_MULTILAYER', '32'
-    scene.render.image_settings.exr_codec = 'NONE'
     scene.render.filepath = os.path.join(folder, 'frame.exr')
 
 
 def read_back(folder, camera):
-    """The two passes of Blender's file, which is not compressed: lines of channels in alphabetical order."""
+    """The two passes of Blender's file."""
     import numpy as np
     import OpenImageIO
     image = OpenImageIO.ImageBuf(os.path.join(folder, 'frame.exr'))
     values = image.get_pixels(OpenImageIO.FLOAT)
-    names = list(image.spec().channelnames)
-    plane = {name.split('.', 1)[1]: values[:, :, i] for i, name in enumerate(names)}
+    plane = {name.split('.', 1)[1]: values[:, :, i] for i, name in enumerate(image.spec().channelnames)}
     is_background = plane['Depth.Z'] >= 1e10
     frame = contract.Frame(camera.width, camera.height)
     frame.id = np.where(is_background, contract.BACKGROUND, plane['id.X'].astype(np.int64)).astype(np.uint32)
@@ -94,12 +88,10 @@ def render_in_blender(scene, camera_file, folder):
     bpy.ops.render.render(write_still=True)
 
 
-if '--' in sys.argv:
-    render_in_blender(*sys.argv[sys.argv.index('--') + 1:])
+if in_blender.IS_HERE:
+    render_in_blender(*in_blender.arguments())
 else:
     scene_file, camera_file, out = sys.argv[1:]
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run(['blender', '--background', '--factory-startup', '--python-exit-code', '1', '--python',
-                        os.path.abspath(__file__), '--', scene_file, camera_file, folder],
-                       check=True, stdout=subprocess.DEVNULL)
+        in_blender.run(os.path.abspath(__file__), scene_file, camera_file, folder)
         contract.write_exr(out, read_back(folder, contract.Camera(camera_file)))

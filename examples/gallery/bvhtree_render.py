@@ -6,11 +6,11 @@
 """
 import math
 import os
-import subprocess
 import sys
 
 here = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(here, '..', 'contract'))
+sys.path[:0] = [here, os.path.join(here, '..', 'contract')]
+import in_blender  # noqa: E402
 import zproof_contract as contract  # noqa: E402
 
 
@@ -32,9 +32,8 @@ def render(triangles, camera):
     return frame
 
 
-if 'bpy' in sys.modules:
-    sys.argv = sys.argv[:1] + sys.argv[sys.argv.index('--') + 1:]
+if in_blender.IS_HERE:
+    sys.argv[1:] = in_blender.arguments()
     contract.main(render)
 else:
-    subprocess.run(['blender', '--background', '--factory-startup', '--python-exit-code', '1', '--python',
-                    os.path.abspath(__file__), '--', *sys.argv[1:]], check=True, stdout=subprocess.DEVNULL)
+    in_blender.run(os.path.abspath(__file__), *sys.argv[1:])
