@@ -177,6 +177,35 @@ TEST(Interrupt, EndsAJudgementInTheMidstOfIt) {
     for (const auto& view : views) EXPECT_EQ(view.at("outcome"), "not_judged") << "judged to its end";
 }
 
+/// The folders of views in a report that is there or being written.
+std::vector<std::string> view_folders(const Folder& folder) {
+    std::vector<std::string> found;
+    for (const std::string& name : folder.names()) {
+        std::error_code absent;
+        for (const auto& view : std::filesystem::directory_iterator(folder.path() / name / "scenes", absent))
+            found.push_back("scenes/" + view.path().filename().string());
+    }
+    return found;
+}
+
+/// Files are written while the cause is looked for: without the cause, they go as well.
+TEST(Interrupt, LeavesNoFilesOfAViewThatIsNotInTheReport) {
+    const Folder folder;
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    const pid_t pid = start(folder,
+                            {"run", "room", "--oracle", "none", "--precision", "raster,subpixel_bits=14",
+                             "--width", "480", "--height", "270"},
+                            {nowhere, nowhere});
+    close(nowhere);
+    while (view_folders(folder).empty() && process_facts(pid).front() != "Z") std::this_thread::yield();
+    kill(pid, SIGINT);
+    EXPECT_EQ(exit_code_of(pid), 130);
+    std::vector<std::string> told;
+    for (const auto& view : nlohmann::json::parse(folder.read("zproof-out/results.json")).at("views"))
+        if (view.at("outcome") != "not_judged") told.push_back(view.at("folder"));
+    EXPECT_EQ(view_folders(folder), told);
+}
+
 /// A command in the midst of which somebody presses Ctrl-C.
 struct Long {
     const char* name;
