@@ -246,7 +246,11 @@ std::vector<FilterFault> faults_of_levels() {
             {"last_level_missing", "the chain ends at 2 x 2 texels", "trilinear-gl",
              set([](FilterOptions& o) { o.lod_max = 6; })},
             {"trilinear_without_blend", "the level is not blended with the coarser one", "trilinear-gl",
-             by("mip-nearest-bilinear")}};
+             by("mip-nearest-bilinear")},
+            {"blend_in_half_of_each_octave", "levels are blended in the middle half of each octave alone",
+             "trilinear-gl", by("brilinear")},
+            {"blend_in_every_octave", "levels are blended over the whole octave", "brilinear",
+             by("trilinear-gl")}};
 }
 
 std::vector<FilterFault> faults_of_weights() {

@@ -236,6 +236,24 @@ TEST(Trilinear, BlendsByTheLogarithmAndOpenImageIoByTheWidth) {
     EXPECT_NEAR(coarser_share("trilinear-oiio"), std::sqrt(2.0) - 1, 1e-14);
 }
 
+/// LOD 1 + f: level 1 alone up to f = 1/4, level 2 alone from 3/4 on, and 2 f - 1/2 of it between.
+TEST(Brilinear, BlendsInTheMiddleHalfOfAnOctaveOnly) {
+    const Sampler sampler = prepared("brilinear", random_image(64, 64, 8));
+    const auto coarser_share = [&](double fraction) {
+        const double texels = std::exp2(1 + fraction);
+        double sum = 0;
+        for (const Tap& tap : sampler.taps(flat_footprint({37.25, 11.5}, {texels, 0}, {0, texels})))
+            sum += tap.image == 2 ? tap.weight : 0;
+        return sum;
+    };
+    EXPECT_EQ(coarser_share(0), 0);
+    EXPECT_EQ(coarser_share(0.2499), 0);
+    EXPECT_NEAR(coarser_share(0.375), 0.25, 1e-14);
+    EXPECT_NEAR(coarser_share(0.5), 0.5, 1e-14);
+    EXPECT_NEAR(coarser_share(0.7), 0.9, 1e-14);
+    EXPECT_EQ(coarser_share(0.7501), 1);
+}
+
 TEST(Anisotropic, OfOneTapIsTrilinear) {
     const LinearImage image = random_image(64, 32, 8);
     const FilterOptions one{.max_anisotropy = 1};
