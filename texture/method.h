@@ -64,6 +64,7 @@ enum class MipKernel {
     polyphase,  ///< box whose weights vary with the place where a size is odd (Guthe and Heckbert, NVIDIA
                 ///< TR-01838)
     lanczos3,   ///< Lanczos-windowed sinc of three lobes
+    kaiser3,    ///< Kaiser-windowed sinc of three lobes, alpha 4 (NVIDIA Texture Tools)
 };
 
 /// How a summed-area table keeps its sums.

@@ -48,8 +48,11 @@ bool set_word(T& value, const std::string& text, const std::array<std::pair<std:
     return found != words.end();
 }
 
-constexpr std::array<std::pair<std::string_view, MipKernel>, 3> mip_words{
-    {{"box", MipKernel::box}, {"polyphase", MipKernel::polyphase}, {"lanczos3", MipKernel::lanczos3}}};
+constexpr std::array<std::pair<std::string_view, MipKernel>, 4> mip_words{
+    {{"box", MipKernel::box},
+     {"polyphase", MipKernel::polyphase},
+     {"lanczos3", MipKernel::lanczos3},
+     {"kaiser3", MipKernel::kaiser3}}};
 constexpr std::array<std::pair<std::string_view, SatStorage>, 4> sat_words{
     {{"integer", SatStorage::integer},
      {"float64", SatStorage::float64},
@@ -79,7 +82,7 @@ const std::vector<MethodSetting>& method_settings() {
          [](Texturing& t, const std::string& s) {
              return set_number(t.options.seed, s, std::uint32_t{0}, std::uint32_t{0xFFFF'FFFF});
          }},
-        {"mip", "box, polyphase or lanczos3", "how smaller levels are made (polyphase)",
+        {"mip", "box, polyphase, lanczos3 or kaiser3", "how smaller levels are made (polyphase)",
          [](Texturing& t, const std::string& s) { return set_word(t.options.mip_kernel, s, mip_words); }},
         {"levels", "a file with mip levels, or a name with {level} in it of which level 1 exists",
          "levels 1 and on, instead of made ones",

@@ -43,10 +43,11 @@ struct Brilinear {
 };
 
 /// trilinear-gl on a chain weighed by the surface. Negative weights of areas may sum to nothing, so there is
-/// no Lanczos chain of this kind.
+/// no chain of this kind by a windowed sinc.
 Sampler prepare_parameterization_aware(const LinearImage& image, const FilterOptions& options) {
     FilterOptions own = options;
-    if (own.mip_kernel == MipKernel::lanczos3) own.mip_kernel = MipKernel::polyphase;
+    if (own.mip_kernel == MipKernel::lanczos3 || own.mip_kernel == MipKernel::kaiser3)
+        own.mip_kernel = MipKernel::polyphase;
     const std::vector<double> weights =
         own.surface ? texel_weights(own.surface(), image.width, image.height) : std::vector<double>{};
     if (own.given_levels || weights.empty()) return prepare_bilinear<Trilinear<lod_gl_maximum>>(image, own);

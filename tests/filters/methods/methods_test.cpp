@@ -68,7 +68,8 @@ TEST_P(EveryMethod, ReadsStoredTexelsOnly) {
 
 /// The shares of what is stored sum to 1, so that they need no tolerance but that of their sum.
 TEST_P(EveryMethod, StoresMeansOfTheTexture) {
-    for (const MipKernel kernel : {MipKernel::box, MipKernel::polyphase, MipKernel::lanczos3}) {
+    for (const MipKernel kernel :
+         {MipKernel::box, MipKernel::polyphase, MipKernel::lanczos3, MipKernel::kaiser3}) {
         const Sampler sampler = method().prepare(random_image(20, 9, 1), {.mip_kernel = kernel});
         for (const StoredImage& image : sampler.stored) {
             double sum = 0;
@@ -82,11 +83,13 @@ TEST_P(EveryMethod, StoresMeansOfTheTexture) {
 /// Absolute weights of bicubic and of Lanczos chains sum to less than 2 an axis.
 TEST_P(EveryMethod, KeepsAConstant) {
     const glm::vec4 value{0.25f, 0.5f, 1, 0.75f};
-    for (const MipKernel kernel : {MipKernel::box, MipKernel::polyphase, MipKernel::lanczos3}) {
+    for (const MipKernel kernel :
+         {MipKernel::box, MipKernel::polyphase, MipKernel::lanczos3, MipKernel::kaiser3}) {
         const Sampler sampler = method().prepare(constant_image(37, 64, value), {.mip_kernel = kernel});
         for (std::uint32_t seed = 0; seed < footprints; ++seed) {
             const Footprint f = random_footprint(seed);
-            const double chain = kernel == MipKernel::lanczos3 ? 6 * 4 * 0x1p-24 : 6 * 0x1p-24;
+            const double chain =
+                kernel == MipKernel::lanczos3 || kernel == MipKernel::kaiser3 ? 6 * 4 * 0x1p-24 : 6 * 0x1p-24;
             EXPECT_LE(distance(sampler.colour(f), glm::dvec4{value}),
                       4 * roundings(sampler.taps(f).size()) + chain)
                 << seed;
