@@ -24,12 +24,16 @@ texture::LinearImage decoded(const Image& image, Decoding decoding) {
     return linear;
 }
 
-/// The curve rises, so that the ends hold the extremes.
-ColourRange decoded(const ColourRange& codes) {
-    const auto of = [](const glm::dvec3& c) {
-        return glm::dvec3{decoded_srgb(c.x), decoded_srgb(c.y), decoded_srgb(c.z)};
-    };
-    return {of(codes.low), of(codes.high)};
+glm::dvec3 decoded(const glm::dvec3& codes) {
+    return {decoded_srgb(codes.x), decoded_srgb(codes.y), decoded_srgb(codes.z)};
+}
+
+/// The curve rises, so that the ends hold the extremes. Theirs and ours round eight times each; the power
+/// makes 2.4 of each.
+ColourRange decoded(const ColourRange& codes, const FilterPrecision& precision) {
+    const glm::dvec3 low = decoded(codes.low), high = decoded(codes.high);
+    const double rounding = 2.4 * (gamma(8, std::exp2(-precision.sum_bits)) + gamma(8, 0x1p-53));
+    return {low - rounding * glm::abs(low), high + rounding * glm::abs(high)};
 }
 
 /// What the sums over texels may cost, theirs and ours, where texels lie in [0, 1]. No definition's number of
@@ -51,12 +55,16 @@ ColourRange product(const ColourRange& factor, const ColourRange& colour) {
                      {factor.high * colour.high, factor.high * colour.high}));
 }
 
-/// Factor, sum and the picture's format.
-ColourRange as_shown(const ColourRange& filtered, const ColourRange& factor,
-                     const FilterPrecision& precision) {
+/// What the sum itself may cost.
+ColourRange summed(const ColourRange& filtered, const FilterPrecision& precision) {
     const double sums =
         2 * (gamma(precision.sum_roundings, std::exp2(-precision.sum_bits)) + gamma(most_terms, 0x1p-53));
-    const auto [low, high] = product(factor, {filtered.low - sums, filtered.high + sums});
+    return {filtered.low - sums, filtered.high + sums};
+}
+
+/// Factor and the picture's format.
+ColourRange as_shown(const ColourRange& light, const ColourRange& factor, const FilterPrecision& precision) {
+    const auto [low, high] = product(factor, light);
     // The factor's product in double, and one rounding to the picture's numbers.
     const double rounding = std::exp2(-precision.colour_bits) * (1 + 0x1p-50);
     return {low - rounding * glm::abs(low) - 0x1p-149, high + rounding * glm::abs(high) + 0x1p-149};
@@ -107,6 +115,11 @@ FilterReference::FilterReference(const Scene& scene, const View& view, const Def
     }
 }
 
+ColourRange FilterReference::light_of(const ColourRange& filtered, const FilterPrecision& precision) const {
+    const ColourRange sum = summed(filtered, precision);
+    return decoding_ == Decoding::after_filtering ? decoded(sum, precision) : sum;
+}
+
 PermittedColours FilterReference::at(int x, int y, std::span<const PrimitiveId> seen,
                                      const FilterPrecision& precision) const {
     PermittedColours all;
@@ -125,9 +138,7 @@ PermittedColours FilterReference::of_surface(int x, int y, PrimitiveId seen,
     try {
         const SeenTexture texture{view_, textured_triangle(scene_, std::uint32_t(seen)), precision};
         PermittedColours permitted = reference({texture, x, y, steps_, precision});
-        for (ColourRange& range : permitted)
-            range =
-                as_shown(decoding_ == Decoding::after_filtering ? decoded(range) : range, factor, precision);
+        for (ColourRange& range : permitted) range = as_shown(light_of(range, precision), factor, precision);
         return permitted;
     } catch (const UndecidedSign&) {
         return anything();
@@ -144,7 +155,10 @@ std::optional<ColourDraws> FilterReference::draws_at(int x, int y, PrimitiveId s
     try {
         const SeenTexture texture{view_, textured_triangle(scene_, std::uint32_t(seen)), precision};
         ColourDraws all = reference({texture, x, y, steps_, precision});
-        for (ColourDraw& draw : all.draws) draw.colour = as_shown(draw.colour, factor, precision);
+        // The mean of codes is not that of the light that each draw stands for.
+        if (decoding_ == Decoding::after_filtering && all.samples > 1) return std::nullopt;
+        for (ColourDraw& draw : all.draws)
+            draw.colour = as_shown(light_of(draw.colour, precision), factor, precision);
         return all;
     } catch (const UndecidedSign&) {
         return std::nullopt;

@@ -44,6 +44,8 @@ class FilterReference {
 
   private:
     PermittedColours of_surface(int x, int y, PrimitiveId seen, const FilterPrecision& precision) const;
+    /// What was filtered with what the sum may cost, as linear light.
+    ColourRange light_of(const ColourRange& filtered, const FilterPrecision& precision) const;
 
     const Scene& scene_;
     const View& view_;

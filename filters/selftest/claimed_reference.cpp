@@ -30,6 +30,7 @@ oracle::filter_reference::ChainKernel chain_kernel(texture::MipKernel kernel) {
 }  // namespace
 
 oracle::FilterSettings reference_settings(const texture::FilterOptions& o, const FilterPrecision& promise) {
+    using oracle::filter_reference::Decoding;
     return {.wrap = {},
             .kernel = chain_kernel(o.mip_kernel),
             .lod_bias = o.lod_bias,
@@ -40,7 +41,9 @@ oracle::FilterSettings reference_settings(const texture::FilterOptions& o, const
             .samples = o.samples,
             .seed = o.seed,
             .given_levels = o.given_levels,
-            .texel_bits = promise.texel_bits};
+            .texel_bits = promise.texel_bits,
+            .decoding = o.decoding == texture::Decoding::before_filtering ? Decoding::before_filtering
+                                                                          : Decoding::after_filtering};
 }
 
 FilterPrecision filter_precision(const texture::FilterOptions& o) {

@@ -26,6 +26,7 @@ std::vector<Setting> settings() {
             {"box", {.mip_kernel = texture::MipKernel::box}},
             {"lanczos", {.mip_kernel = texture::MipKernel::lanczos3}},
             {"kaiser", {.mip_kernel = texture::MipKernel::kaiser3}},
+            {"codes", {.decoding = texture::Decoding::after_filtering}},
             {"quad", {}, texture::Derivatives::quad_differences}};
 }
 
