@@ -165,7 +165,8 @@ CheckPower power_of(const FilterFixture& fixture, const FilterClaim& claim, cons
     };
     std::ranges::copy(suspects.take(suspects.tried(as_a_whole)), std::back_inserter(power.refused));
     // What not even exact arithmetic refuses is no defect of this picture: it does not show.
-    std::vector<bool> is_unseen = have_pixels_outside(suspects.pictures, reference, {});
+    std::vector<bool> is_unseen =
+        have_pixels_outside(suspects.pictures, reference, {.code_error = claim.precision.code_error});
     is_unseen.flip();
     suspects.take(is_unseen);
     for (const PlantedDefect& defect : suspects.defects) {

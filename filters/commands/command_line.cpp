@@ -25,8 +25,9 @@ constexpr const char* check_remark = R"(
 What may be promised, each by default as exactly as zproof's own filters: arithmetic_bits, coordinate_bits,
 displacement_px, step_bits, place_bits, weight_bits, split_bits, lod_bits, lod_below, lod_above, tap_bits,
 sum_bits, texel_bits, colour_bits (docs/filter-conformance.md); lod_slack=1 is lod_below=0.5,lod_above=1,
-what Vulkan admits. A preset may come first: gpu, d3d11, vulkan-min, float32, float64, oiio. So --precision
-gpu,lod_bits=6 is a GPU with 6 bits of LOD (docs/joint-conformance.md).
+what Vulkan admits. output=srgb8: a picture of 8-bit sRGB codes, each the nearest one (code_error=0.5).
+A preset may come first: gpu, d3d11, vulkan-min, float32, float64, oiio. So --precision gpu,lod_bits=6 is a
+GPU with 6 bits of LOD (docs/joint-conformance.md).
 
 Exit status: 0 every picture keeps to its definition, 1 one does not, 3 of one nothing is proved: a picture
 off by half a texel or level would pass as well.)";

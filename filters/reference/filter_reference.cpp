@@ -62,12 +62,25 @@ ColourRange summed(const ColourRange& filtered, const FilterPrecision& precision
     return {filtered.low - sums, filtered.high + sums};
 }
 
+/// Every light whose code, 0 to 255, lies so near to that of the range. The curve rises. Light read from a
+/// file of codes is rounded once to float32; our curve's roundings are far below a code's.
+ColourRange as_codes(const ColourRange& light, double error) {
+    const auto moved = [](const glm::dvec3& colour, double codes) {
+        const auto one = [codes](double c) { return decoded_srgb(encoded_srgb(c) + codes / 255); };
+        return glm::dvec3{one(colour.x), one(colour.y), one(colour.z)};
+    };
+    const glm::dvec3 low = moved(light.low, -error), high = moved(light.high, error);
+    return {low - 0x1p-23 * glm::abs(low), high + 0x1p-23 * glm::abs(high)};
+}
+
 /// Factor and the picture's format.
 ColourRange as_shown(const ColourRange& light, const ColourRange& factor, const FilterPrecision& precision) {
     const auto [low, high] = product(factor, light);
     // The factor's product in double, and one rounding to the picture's numbers.
     const double rounding = std::exp2(-precision.colour_bits) * (1 + 0x1p-50);
-    return {low - rounding * glm::abs(low) - 0x1p-149, high + rounding * glm::abs(high) + 0x1p-149};
+    const ColourRange shown{low - rounding * glm::abs(low) - 0x1p-149,
+                            high + rounding * glm::abs(high) + 0x1p-149};
+    return precision.code_error > 0 ? as_codes(shown, precision.code_error) : shown;
 }
 
 PermittedColours anything() {
