@@ -22,7 +22,7 @@ std::vector<std::optional<texture::Sampler>> prepared(const Scene& scene, const 
         const Texture& texture = scene.materials[i].base_color;
         if (texture.image == Texture::none) continue;
         const Image& image = scene.images[std::size_t(texture.image)];
-        const texture::Texels texels{image.width, image.height, image.texels};
+        const texture::Texels texels{image.width, image.height, image.texels, image.light};
         const auto options = options_for(scene, texture, texturing.options);
         samplers[i] = texturing.method.prepare(options.decoding == Decoding::after_filtering
                                                    ? texture::image_of_codes(texels)

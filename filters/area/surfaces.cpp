@@ -22,7 +22,7 @@ SurfaceColour colour_of(const Scene& scene, const Material& material,
     const Texture& t = material.base_color;
     if (t.image == Texture::none || std::size_t(t.uv_set) >= scene.vertices.uv.size()) return colour;
     const Image& image = scene.images[std::size_t(t.image)];
-    images.push_back(texture::linear_image({image.width, image.height, image.texels}));
+    images.push_back(texture::linear_image({image.width, image.height, image.texels, image.light}));
     colour.image = &images.back();
     colour.addressing = {wrap_of(t.sampler.wrap_u), wrap_of(t.sampler.wrap_v)};
     return colour;

@@ -101,7 +101,7 @@ glm::dvec3 range_of_textures(const Scene& scene) {
         const Image& image = scene.images[std::size_t(material.base_color.image)];
         const glm::dvec3 factor{glm::vec3{material.base_color_factor}};
         for (const glm::vec4& texel :
-             texture::linear_image({image.width, image.height, image.texels}).texels) {
+             texture::linear_image({image.width, image.height, image.texels, image.light}).texels) {
             least = glm::min(least, factor * glm::dvec3{glm::vec3{texel}});
             most = glm::max(most, factor * glm::dvec3{glm::vec3{texel}});
         }
