@@ -139,12 +139,16 @@ bool is_photograph_of_floats(const std::filesystem::path& file) {
     return is_of_levels(lower_extension(file)) && is_texture_of_floats(file);
 }
 
+Loaded plane_scene(const std::string& name, Image image, int width, int height) {
+    check_size(name, width, height);
+    return filters::ground(name, std::move(image), {.width = width, .height = height}, 7.5);
+}
+
 Loaded photograph_scene(const std::filesystem::path& file, int width, int height) {
-    check_size("photograph", width, height);
     try {
         Image image = is_of_levels(lower_extension(file)) ? texture_in(file) : photograph_in(file);
         const std::string name = image.name = file.filename().string();
-        return filters::ground(name, std::move(image), {.width = width, .height = height}, 7.5);
+        return plane_scene(name, std::move(image), width, height);
     } catch (const SceneError&) {
         throw;
     } catch (const FrameError& error) {

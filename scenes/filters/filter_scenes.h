@@ -31,4 +31,7 @@ bool is_photograph_of_floats(const std::filesystem::path& file);
 /// named after the file, "rocket.jpg". Throws SceneError where the file cannot be read.
 Loaded photograph_scene(const std::filesystem::path& file, int width = 512, int height = 512);
 
+/// That plane with an image that is no file's.
+Loaded plane_scene(const std::string& name, Image image, int width = 512, int height = 512);
+
 }  // namespace zproof

@@ -187,8 +187,10 @@ TEST(Filters, WhatIsMistypedIsNamedWithWhatIsNear) {
         EXPECT_EQ(ran.exit_code, status) << ran.err;
         EXPECT_NE(ran.err.find(said), std::string::npos) << ran.err;
     };
-    refused({"filters"},
-            "'run', 'list', 'scenes', 'reproduce', 'table', 'figure', 'check', 'explain' or 'crow' expected");
+    refused(
+        {"filters"},
+        "'run', 'list', 'scenes', 'reproduce', 'table', 'figure', 'check', 'explain', 'normals' or 'crow' "
+        "expected");
     refused({"filters", "run", "wroked"}, "did you mean 'worked'?", 3);
     refused({"filters", "run", "worked", "--methods", "nearst"}, "did you mean 'nearest'?");
     refused({"filters", "run", "worked", "--truth", "X"}, "--truth");
