@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -31,18 +32,21 @@ NormalMap map_of(const Loaded& loaded) try {
     throw SceneError{loaded.scene.name + ": " + e.what()};
 }
 
+int width_of(const normals::HighlightScore& score) {
+    return int(std::max<std::size_t>(score.model.size(), 6)) + 2;
+}
+
 std::string line_of(const std::string& method, const std::vector<normals::HighlightScore>& scores) {
     std::ostringstream line;
     line << "  " << std::left << std::setw(24) << method << std::right << std::fixed << std::setprecision(4);
-    for (const normals::HighlightScore& score : scores)
-        line << std::setw(int(score.model.size()) + 2) << score.rmse;
+    for (const normals::HighlightScore& score : scores) line << std::setw(width_of(score)) << score.rmse;
     return line.str() + "\n";
 }
 
 std::string heading_of(const std::string& view, const std::vector<normals::HighlightScore>& scores) {
     std::ostringstream line;
-    line << std::left << std::setw(26) << view;
-    for (const normals::HighlightScore& score : scores) line << "  " << score.model;
+    line << std::left << std::setw(26) << view << std::right;
+    for (const normals::HighlightScore& score : scores) line << std::setw(width_of(score)) << score.model;
     return line.str() + "\n";
 }
 

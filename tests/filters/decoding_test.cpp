@@ -21,6 +21,7 @@ texture::Method mean_of_all() {
 /// light.
 TEST(Decoding, OfAMeanOfCodesIsDarkerThanTheMeanOfLight) {
     FilterFixture fixture = filter_fixture(Ground::noise);
+    fixture.scene.materials[0].base_color_factor = glm::vec4{1};
     std::vector<std::uint8_t>& texels = fixture.scene.images[0].texels;
     for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = i % 8 < 4 ? 0 : 255;
     const auto shown = [&](texture::Decoding decoding) {

@@ -1,11 +1,15 @@
 /// Textures of floats, brighter than white.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "filters/area/area_integral.h"
 #include "filters/methods/catalogue.h"
 #include "filters/selftest/filter_fault.h"
 #include "image_io/image_io.h"
 #include "scenes/filters/filter_scenes.h"
+#include "scenes/scene_error.h"
 #include "tests/frame/scratch_folder.h"
 
 namespace zproof::selftest {
@@ -36,7 +40,7 @@ TEST(TextureOfFloats, IsHeldToEveryDefinition) {
         const Picture picture = drawn(fixture, method.name.c_str());
         const ConformanceResult result = conformance_of(picture, fixture, method.name, {});
         EXPECT_FALSE(result.is_caught()) << method.name << ": " << in_words(result);
-        EXPECT_GT(picture.at(60, 90).r, 0) << method.name;
+        EXPECT_NE(picture.at(60, 90).r, 0) << method.name;
     }
     for (const auto& [right, wrong] : {std::pair{"trilinear-gl", "brilinear"}, {"sat-affine", "sat-quad"}})
         EXPECT_GT(conformance_of(drawn(fixture, wrong), fixture, right, {}).found.outside, 1000u) << wrong;
