@@ -56,6 +56,20 @@ TEST(TextureOfFloats, HasItsOwnTruth) {
     EXPECT_NEAR(truth.mean.at(60, 90).g, 5 * factor, 1e-12);
 }
 
+TEST(TextureOfFloats, IsAsCertainAsItIsBright) {
+    FilterFixture fixture = filter_fixture(Ground::noise);
+    fixture.scene.materials[0].base_color_factor = glm::vec4{1};
+    const auto half_width = [&] {
+        return oracle::area_truth(fixture.scene, fixture.view, oracle::Reconstruction::mitchell)
+            .half_width.at(60, 90);
+    };
+    const double of_codes = half_width();
+    Image& image = fixture.scene.images[0];
+    image.light.assign(image.texels.size() / 4, glm::vec4{5, 5, 5, 1});
+    EXPECT_GT(of_codes, 0);
+    EXPECT_EQ(half_width(), 5 * of_codes);
+}
+
 TEST(TextureOfFloats, IsReadFromOpenExr) {
     const TestFolder folder;
     const std::filesystem::path file = folder.path() / "lamp.exr";
