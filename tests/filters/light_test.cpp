@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "filters/area/area_integral.h"
+#include "filters/conformance/filter_precision_presets.h"
 #include "filters/methods/catalogue.h"
 #include "filters/selftest/filter_fault.h"
 #include "image_io/image_io.h"
@@ -44,6 +45,20 @@ TEST(TextureOfFloats, IsHeldToEveryDefinition) {
     }
     for (const auto& [right, wrong] : {std::pair{"trilinear-gl", "brilinear"}, {"sat-affine", "sat-quad"}})
         EXPECT_GT(conformance_of(drawn(fixture, wrong), fixture, right, {}).found.outside, 1000u) << wrong;
+}
+
+/// Light of 1024 times the codes' permits 1024 times as much, sums in float32 included.
+TEST(TextureOfFloats, PermitsAsMuchMoreAsItIsBrighter) {
+    FilterFixture fixture = filter_fixture(Ground::noise);
+    const FilterClaim claim{.method = "bicubic", .precision = *preset_filter_precision("float32")};
+    const auto width = [&](const Picture& picture) {
+        return conformance_of(picture, fixture, claim).found.mean_width;
+    };
+    const double of_codes = width(drawn(fixture, "bicubic"));
+    Image& image = fixture.scene.images[0];
+    for (const glm::vec4& texel : texture::linear_image({image.width, image.height, image.texels}).texels)
+        image.light.push_back(1024.0f * texel);
+    EXPECT_NEAR(width(drawn(fixture, "bicubic")), 1024 * of_codes, 1e-6 * 1024 * of_codes);
 }
 
 /// Light of 5 everywhere has a mean of 5; its code would be that of white.
