@@ -139,7 +139,8 @@ Rgba8Image read_rgba8(const std::filesystem::path& file, int largest_side, int m
 
 StoredImage stored_image(const std::filesystem::path& file) {
     const ImageFile input(file, "an image");
-    return {input.parts()[0].mip_levels, is_real(input.channel({0, 0}).sample)};
+    const Sample sample = input.channel({0, 0}).sample;
+    return {input.parts()[0].mip_levels, is_real(sample), sample == Sample::uint8};
 }
 
 Plane<Rgb16> read_rgb16(const std::filesystem::path& file, Resolution size) {

@@ -72,6 +72,7 @@ Rgba8Image read_rgba8(const std::filesystem::path& file, int largest_side, int m
 struct StoredImage {
     int mip_levels = 1;  ///< OpenEXR, TIFF and DDS may have more than one
     bool is_real;  ///< half or float32 samples, which are linear light; otherwise integers, which are sRGB
+    bool is_of_bytes;  ///< 8-bit samples
 };
 /// By the headers alone.
 StoredImage stored_image(const std::filesystem::path& file);

@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 constexpr std::array all{
     Companion{
         "filters",
-        "texture filters held to the exact area integral: run, list, table, figure, check, explain, crow"},
+        "texture filters held to the exact area integral: run, list, table, figure, check, explain, normals, "
+        "crow"},
     Companion{"study", "the lessons as instruments: what each stage does"}};
 
 fs::path required(const Companion& companion) {

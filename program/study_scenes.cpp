@@ -19,13 +19,6 @@ namespace {
 constexpr const char* worked = "worked";
 constexpr int worked_side = 256, worked_first_row = 56;
 
-bool is_photograph(const std::string& word) {
-    std::string extension = std::filesystem::path{word}.extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
-}
-
 bool is_there(const std::string& word) {
     std::error_code ignored;
     return std::filesystem::exists(std::filesystem::symlink_status(word, ignored));

@@ -34,7 +34,7 @@ glm::dvec3 texture_colour(const Point& point) {
         blended(point.weights, point.at_corners<glm::dvec2>(uv_sets[std::size_t(texture.uv_set)]));
     const glm::dvec2 place = texture.transform.translation + texture.transform.linear * uv;
     const Image& image = point.scene.images[std::size_t(texture.image)];
-    const texture::Texels texels{image.width, image.height, image.texels};
+    const texture::Texels texels{image.width, image.height, image.texels, image.light};
     const texture::Addressing addressing = addressing_of(texture.sampler);
     const bool is_nearest = texture.sampler.magnification == Magnification::nearest;
     return glm::dvec3(is_nearest ? texture::nearest(texels, addressing, place)

@@ -5,12 +5,15 @@
 
 #include <algorithm>
 
+#include "math/srgb.h"
 #include "rasterizer/textured_surface.h"
 #include "rasterizer/triangle_footprints.h"
 
 namespace zproof::rasterizer {
 
 namespace {
+
+using texture::Decoding;
 
 /// One sampler per material; none where it has no texture.
 std::vector<std::optional<texture::Sampler>> prepared(const Scene& scene, const Texturing& texturing) {
@@ -19,9 +22,12 @@ std::vector<std::optional<texture::Sampler>> prepared(const Scene& scene, const 
         const Texture& texture = scene.materials[i].base_color;
         if (texture.image == Texture::none) continue;
         const Image& image = scene.images[std::size_t(texture.image)];
-        samplers[i] =
-            texturing.method.prepare(texture::linear_image({image.width, image.height, image.texels}),
-                                     options_for(scene, texture, texturing.options));
+        const texture::Texels texels{image.width, image.height, image.texels, image.light};
+        const auto options = options_for(scene, texture, texturing.options);
+        samplers[i] = texturing.method.prepare(options.decoding == Decoding::after_filtering
+                                                   ? texture::image_of_codes(texels)
+                                                   : texture::linear_image(texels),
+                                               options);
     }
     return samplers;
 }
@@ -33,6 +39,10 @@ struct Run {
     std::vector<texture::Footprint> seen{};
     std::vector<glm::dvec4> filtered{};
 };
+
+glm::dvec4 decoded(const glm::dvec4& codes) {
+    return {decoded_srgb(codes.r), decoded_srgb(codes.g), decoded_srgb(codes.b), codes.a};
+}
 
 LinearRgb rgb(const glm::dvec4& colour) { return {float(colour.r), float(colour.g), float(colour.b)}; }
 
@@ -80,9 +90,13 @@ class Reader {
         texture::look_up(*sampler, run.seen, run.filtered);
         const glm::dvec4 factor{run.material->base_color_factor};
         for (std::size_t i = 0; i < run.seen.size(); ++i)
-            colours[std::size_t(run.columns[i])] = rgb(factor * run.filtered[i]);
+            colours[std::size_t(run.columns[i])] = rgb(factor * light(run.filtered[i]));
         run.columns.clear();
         run.seen.clear();
+    }
+
+    glm::dvec4 light(const glm::dvec4& filtered) const {
+        return texturing_.options.decoding == Decoding::after_filtering ? decoded(filtered) : filtered;
     }
 
     const Scene& scene_;

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "image_io/image_io.h"
 #include "image_io/module.h"
+#include "math/srgb.h"
 #include "scenes/limits.h"
 
 namespace zproof {
@@ -117,13 +119,43 @@ std::string png_chunk_fault(Span bytes) {
 
 }  // namespace
 
+namespace {
+
+/// What has no number of codes is beyond their range.
+std::uint8_t code_of(float light) { return std::uint8_t(std::lround(255 * encoded_srgb(double{light}))); }
+
+Image image_of_light(const Picture& picture) {
+    Image image{{}, picture.size().width, picture.size().height, {}, {}};
+    for (const LinearRgb& c : picture.pixels()) {
+        if (!std::isfinite(c.r + c.g + c.b))
+            throw std::runtime_error("a texel is no finite number; paint it over");
+        image.light.emplace_back(c.r, c.g, c.b, 1.0f);
+        for (const float channel : {c.r, c.g, c.b}) image.texels.push_back(code_of(channel));
+        image.texels.push_back(255);
+    }
+    return image;
+}
+
+}  // namespace
+
+bool is_texture_of_floats(const std::filesystem::path& file) {
+    image_io::load_module();
+    return stored_image(file).is_real;
+}
+
+Image texture_in(const std::filesystem::path& file) {
+    if (is_texture_of_floats(file)) return image_of_light(read_picture(file));
+    Rgba8Image image = read_rgba8(file, limits::image_side);
+    return {{}, image.size.width, image.size.height, std::move(image.rgba), {}};
+}
+
 Image decode_image(Span bytes) {
     image_io::module();  // what it lacks is no fault of the image
     try {
         if (const std::string fault = is_png(bytes) ? png_chunk_fault(bytes) : ""; !fault.empty())
             throw std::runtime_error(fault);
         Rgba8Image decoded = decode_rgba8(bytes, limits::image_side);
-        return {{}, decoded.size.width, decoded.size.height, std::move(decoded.rgba)};
+        return {{}, decoded.size.width, decoded.size.height, std::move(decoded.rgba), {}};
     } catch (const std::runtime_error& e) {
         throw std::runtime_error(std::string(broken) + " (" + e.what() + ")");
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 
@@ -25,5 +26,12 @@ ImageExtent image_extent(std::span<const unsigned char> bytes);
 /// Decodes bytes without fault into 8 bit RGBA (16 bit channels are rounded). Throws std::runtime_error with
 /// the reason where the data is broken.
 Image decode_image(std::span<const unsigned char> bytes);
+
+/// Has that file of OpenEXR or DDS half or float32 samples? Throws FrameError.
+bool is_texture_of_floats(const std::filesystem::path& file);
+
+/// A file of OpenEXR or DDS as a texture: floats as linear light, other samples as sRGB codes. Throws
+/// FrameError, or std::runtime_error for a texel that is no number.
+Image texture_in(const std::filesystem::path& file);
 
 }  // namespace zproof

@@ -11,4 +11,13 @@ LinearImage linear_image(const Texels& stored) {
     return image;
 }
 
+LinearImage image_of_codes(const Texels& stored) {
+    LinearImage image{stored.width, stored.height, {}};
+    for (std::size_t at = 0; at < stored.rgba.size(); at += 4)
+        image.texels.emplace_back(
+            glm::dvec4{stored.rgba[at], stored.rgba[at + 1], stored.rgba[at + 2], stored.rgba[at + 3]} /
+            255.0);
+    return image;
+}
+
 }  // namespace zproof::texture

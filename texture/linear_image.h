@@ -25,4 +25,7 @@ struct LinearImage {
 /// The image decoded from sRGB in double, rounded once.
 LinearImage linear_image(const Texels& stored);
 
+/// The codes of its colours, 0 to 1, as if they were linear light: each rounded once.
+LinearImage image_of_codes(const Texels& stored);
+
 }  // namespace zproof::texture

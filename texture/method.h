@@ -64,10 +64,17 @@ enum class MipKernel {
     polyphase,  ///< box whose weights vary with the place where a size is odd (Guthe and Heckbert, NVIDIA
                 ///< TR-01838)
     lanczos3,   ///< Lanczos-windowed sinc of three lobes
+    kaiser3,    ///< Kaiser-windowed sinc of three lobes, alpha 4 (NVIDIA Texture Tools)
 };
 
 /// How a summed-area table keeps its sums.
 enum class SatStorage { integer, float64, float32, float32_less_mean };
+
+/// Where a texture's sRGB codes are made linear light.
+enum class Decoding {
+    before_filtering,
+    after_filtering,  ///< the wrong way, for comparison: codes are filtered
+};
 
 /// What a user may set; a method reads what it has a use for.
 struct FilterOptions {
@@ -76,10 +83,12 @@ struct FilterOptions {
     SatStorage sat_storage = SatStorage::float64;
     double lod_bias = 0;                 ///< added before clamping
     double lod_min = 0, lod_max = 1000;  ///< clamp of the biased LOD
-    int max_anisotropy = 16;             ///< 1 to 64
-    int subdivisions = 4;                ///< n of n x n sub-quads, strips or supersamples
-    int samples = 1;                     ///< a pixel's, of stochastic methods; 1 to 1024
-    std::uint32_t seed = 0;              ///< of their noise
+    Decoding decoding =
+        Decoding::before_filtering;  ///< heeded by who prepares the image and shows the result
+    int max_anisotropy = 16;         ///< 1 to 64
+    int subdivisions = 4;            ///< n of n x n sub-quads, strips or supersamples
+    int samples = 1;                 ///< a pixel's, of stochastic methods; 1 to 1024
+    std::uint32_t seed = 0;          ///< of their noise
     /// Levels 1 and on of a chain that is given, as mip_chain() requires them; null: made by mip_kernel.
     std::shared_ptr<const std::vector<LinearImage>> given_levels{};
     Surface surface{};  ///< that shows the texture; null: not known

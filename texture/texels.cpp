@@ -24,7 +24,8 @@ double linear_from_srgb(std::uint8_t code) {
 }
 
 glm::dvec4 Texels::linear(int column, int row) const {
-    const std::size_t at = 4 * (std::size_t(row) * std::size_t(width) + std::size_t(column));
+    const std::size_t texel = std::size_t(row) * std::size_t(width) + std::size_t(column), at = 4 * texel;
+    if (!light.empty()) return glm::dvec4{light[texel]};
     return {linear_from_srgb(rgba[at]), linear_from_srgb(rgba[at + 1]), linear_from_srgb(rgba[at + 2]),
             rgba[at + 3] / 255.0};
 }

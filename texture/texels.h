@@ -18,6 +18,7 @@ struct Addressing {
 struct Texels {
     int width = 0, height = 0;             ///< at least 1
     std::span<const std::uint8_t> rgba{};  ///< 4 * width * height
+    std::span<const glm::vec4> light{};    ///< linear light, in place of the codes; empty: by the codes
 
     /// Linear RGBA of a texel within the image.
     glm::dvec4 linear(int column, int row) const;

@@ -73,7 +73,8 @@ void integrate_row(const Surfaces& surfaces, Reconstruction reconstruction, std:
         truth.kind.at(x, y) = exact ? exact->kind : TruthKind::sampled;
         if (!exact) continue;
         truth.mean.at(x, y) = exact->mean;
-        if (exact->kind != TruthKind::background) truth.half_width.at(x, y) = weight_of(reconstruction).error;
+        if (exact->kind != TruthKind::background)
+            truth.half_width.at(x, y) = weight_of(reconstruction).error * surfaces.brightest();
     }
 }
 

@@ -22,10 +22,19 @@ SurfaceColour colour_of(const Scene& scene, const Material& material,
     const Texture& t = material.base_color;
     if (t.image == Texture::none || std::size_t(t.uv_set) >= scene.vertices.uv.size()) return colour;
     const Image& image = scene.images[std::size_t(t.image)];
-    images.push_back(texture::linear_image({image.width, image.height, image.texels}));
+    images.push_back(texture::linear_image({image.width, image.height, image.texels, image.light}));
     colour.image = &images.back();
     colour.addressing = {wrap_of(t.sampler.wrap_u), wrap_of(t.sampler.wrap_v)};
     return colour;
+}
+
+double brightest_of(const SurfaceColour& colour) {
+    const glm::dvec3 factor = glm::abs(colour.factor);
+    glm::dvec3 most{colour.image == nullptr ? 1.0 : 0.0};
+    if (colour.image != nullptr)
+        for (const glm::vec4& texel : colour.image->texels)
+            most = glm::max(most, glm::abs(glm::dvec3{texel}));
+    return std::max({factor.r * most.r, factor.g * most.g, factor.b * most.b});
 }
 
 }  // namespace
@@ -33,7 +42,10 @@ SurfaceColour colour_of(const Scene& scene, const Material& material,
 Surfaces::Surfaces(const Scene& scene, const View& view)
     : scene_(scene), seen_(scene.triangles.size()), materials_(scene.triangles.size()) {
     range_ = range_of(view.camera);
-    for (const Material& material : scene.materials) colours_.push_back(colour_of(scene, material, images_));
+    for (const Material& material : scene.materials) {
+        colours_.push_back(colour_of(scene, material, images_));
+        brightest_ = std::max(brightest_, brightest_of(colours_.back()));
+    }
     for (const Part& part : scene.parts)
         for (std::uint32_t i = 0; i < part.triangle_count; ++i)
             materials_[part.first_triangle + i] = part.material;

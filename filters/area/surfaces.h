@@ -49,6 +49,8 @@ class Surfaces {
     const SurfaceColour& colour(std::uint32_t triangle) const {
         return colours_[std::size_t(materials_[triangle])];
     }
+    /// The largest absolute value that a texel with its factor shows; at least 1.
+    double brightest() const { return brightest_; }
     /// Do both have two corners at the same places, float by float?
     bool share_an_edge(std::uint32_t a, std::uint32_t b) const;
     /// inverse depth is at most .nearest and at least .farthest between near and far.
@@ -64,6 +66,7 @@ class Surfaces {
     std::deque<texture::LinearImage> images_;
     std::vector<SurfaceColour> colours_;
     NearFarRange range_{};
+    double brightest_ = 1;
 };
 
 /// Texel coordinates of a triangle's corners, exact in Number; zeros without a texture.

@@ -12,6 +12,7 @@
 #include "filters/commands/filter_choice.h"
 #include "filters/commands/pictures.h"
 #include "filters/conformance/filter_precision.h"
+#include "filters/normals/normal_study.h"
 #include "filters/report/crops.h"
 #include "filters/report/table_cells.h"
 #include "program/common_arguments.h"
@@ -75,6 +76,15 @@ struct FiltersCrowArguments {
     RenderSettings settings{.resolution = {512, 512}};
 };
 
+struct FiltersNormalsArguments {
+    CommonArguments common;
+    std::filesystem::path map;          ///< an image; empty: bumps of our own
+    std::vector<FilterChoice> methods;  ///< at least one
+    std::vector<std::string> views;     ///< empty: all
+    Resolution resolution{256, 256};
+    normals::Light light;
+};
+
 enum class CheckFormat { lines, json };
 
 struct FiltersCheckArguments {
@@ -125,6 +135,9 @@ struct FiltersWords {
     FiltersTableArguments table;
     FiltersFigureArguments figure;
     FiltersCrowArguments crow;
+    FiltersNormalsArguments normals;
+    std::string normal_methods = "trilinear-gl,aniso-midpoint", normal_views;
+    double half_angle = 20;  ///< degrees
     FiltersCheckArguments check;
     ClaimWords claims;
     std::string check_methods, check_views, precision;

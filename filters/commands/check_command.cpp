@@ -5,6 +5,7 @@
 #include "filters/commands/claim.h"
 #include "filters/commands/commands.h"
 #include "filters/commands/joint_check.h"
+#include "filters/conformance/picture_format.h"
 #include "filters/reference/admissible_surfaces.h"
 #include "filters/selftest/filter_fault.h"
 #include "filters/selftest/likely_cause.h"
@@ -21,11 +22,11 @@ using selftest::ConformanceResult;
 using selftest::FilterClaim;
 using selftest::FilterFixture;
 
-Picture picture_of(const FilterFixture& fixture, const FilterChoice& choice,
+Picture picture_of(const FilterFixture& fixture, const FilterChoice& choice, const FilterPrecision& promise,
                    const std::filesystem::path& own) {
-    if (own.empty())
-        return rasterizer::filtered(fixture.scene, fixture.view, fixture.frame, choice.texturing);
-    return picture_in(own, fixture.view);
+    if (!own.empty()) return picture_in(own, fixture.view);
+    return as_stored(rasterizer::filtered(fixture.scene, fixture.view, fixture.frame, choice.texturing),
+                     promise);
 }
 
 /// Judges every method on one view; how many of them keep to their definition.
@@ -78,8 +79,8 @@ class FilterChecker {
     /// Beside zproof's own promise, which is exact, no joint error could hide, and every defect that shows is
     /// seen.
     CheckedPicture judged(const FilterFixture& fixture, const FilterChoice& choice) const {
-        const Picture picture = picture_of(fixture, choice, arguments_.picture);
         const FilterClaim claim = claim_of(choice, arguments_.precision);
+        const Picture picture = picture_of(fixture, choice, claim.precision, arguments_.picture);
         CheckedPicture checked{.scene = fixture.scene.name,
                                .view = fixture.view.name,
                                .method = choice.typed,

@@ -101,7 +101,7 @@ glm::dvec3 range_of_textures(const Scene& scene) {
         const Image& image = scene.images[std::size_t(material.base_color.image)];
         const glm::dvec3 factor{glm::vec3{material.base_color_factor}};
         for (const glm::vec4& texel :
-             texture::linear_image({image.width, image.height, image.texels}).texels) {
+             texture::linear_image({image.width, image.height, image.texels, image.light}).texels) {
             least = glm::min(least, factor * glm::dvec3{glm::vec3{texel}});
             most = glm::max(most, factor * glm::dvec3{glm::vec3{texel}});
         }
@@ -165,7 +165,8 @@ CheckPower power_of(const FilterFixture& fixture, const FilterClaim& claim, cons
     };
     std::ranges::copy(suspects.take(suspects.tried(as_a_whole)), std::back_inserter(power.refused));
     // What not even exact arithmetic refuses is no defect of this picture: it does not show.
-    std::vector<bool> is_unseen = have_pixels_outside(suspects.pictures, reference, {});
+    std::vector<bool> is_unseen =
+        have_pixels_outside(suspects.pictures, reference, {.code_error = claim.precision.code_error});
     is_unseen.flip();
     suspects.take(is_unseen);
     for (const PlantedDefect& defect : suspects.defects) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <sstream>
 
 #include "filters/commands/commands.h"
@@ -25,8 +26,9 @@ constexpr const char* check_remark = R"(
 What may be promised, each by default as exactly as zproof's own filters: arithmetic_bits, coordinate_bits,
 displacement_px, step_bits, place_bits, weight_bits, split_bits, lod_bits, lod_below, lod_above, tap_bits,
 sum_bits, texel_bits, colour_bits (docs/filter-conformance.md); lod_slack=1 is lod_below=0.5,lod_above=1,
-what Vulkan admits. A preset may come first: gpu, d3d11, vulkan-min, float32, float64, oiio. So --precision
-gpu,lod_bits=6 is a GPU with 6 bits of LOD (docs/joint-conformance.md).
+what Vulkan admits. output=srgb8: a picture of 8-bit sRGB codes, each the nearest one (code_error=0.5).
+A preset may come first: gpu, d3d11, vulkan-min, float32, float64, oiio. So --precision gpu,lod_bits=6 is a
+GPU with 6 bits of LOD (docs/joint-conformance.md).
 
 Exit status: 0 every picture keeps to its definition, 1 one does not, 3 of one nothing is proved: a picture
 off by half a texel or level would pass as well.)";
@@ -63,7 +65,7 @@ void add_run(CLI::App& app, FiltersWords& words) {
     app.add_option("SCENE", words.run.scenes,
                    "filter scene (zproof filters list), suite scene, model (.gltf, .glb, .obj, .ply) or view "
                    "file, or a photograph "
-                   "(.png, .jpg); none: every filter scene");
+                   "(.png, .jpg; .exr, .dds); none: every filter scene");
     app.add_option("--methods", words.methods,
                    "all of zproof's own, and names with settings, separated by commas")
         ->type_name("METHODS")
@@ -150,6 +152,26 @@ void add_check(CLI::App& app, FiltersWords& words) {
     add_common(app, words.check.common);
     add_isa(app);
     app.footer(check_remark);
+}
+
+void add_normals(CLI::App& app, FiltersWords& words) {
+    FiltersNormalsArguments& normals = words.normals;
+    app.add_option("MAP", normals.map, "normals of tangent space as an image (.png, .jpg, .dds); none: bumps")
+        ->type_name("FILE");
+    app.add_option("--methods", words.normal_methods, "filters of the map, separated by commas")
+        ->type_name("METHODS")
+        ->capture_default_str();
+    app.add_option("--view", words.normal_views, "names of views, separated by commas; default: all")
+        ->type_name("VIEW");
+    app.add_option("--shininess", normals.light.shininess, "the exponent s of (n . h)^s")
+        ->check(CLI::Range(1.0, 65536.0))
+        ->capture_default_str();
+    app.add_option("--half-angle", words.half_angle, "degrees by which h leans along u")
+        ->check(CLI::Range(-80.0, 80.0))
+        ->capture_default_str();
+    add_size(app, normals.resolution.width, normals.resolution.height);
+    add_common(app, normals.common);
+    add_isa(app);
 }
 
 void add_filtered(CLI::App& app, FiltersWords& words) {
@@ -284,6 +306,14 @@ FiltersCheckArguments chosen_check(FiltersWords& words) {
     return check;
 }
 
+FiltersNormalsArguments chosen_normals(FiltersWords& words) {
+    words.normals.methods = filter_choices(words.normal_methods, filter_choice);
+    words.normals.views = words_of_list(words.normal_views);
+    const double angle = glm::radians(words.half_angle);
+    words.normals.light.half = {std::sin(angle), 0, std::cos(angle)};
+    return words.normals;
+}
+
 std::vector<PictureChoice> chosen_pictures(const FiltersWords& words) {
     std::vector<PictureChoice> pictures;
     for (const std::string& word : words.pictures) pictures.push_back(picture_choice(word));
@@ -320,6 +350,9 @@ void add_commands(CLI::App& app, FiltersWords& words) {
     add_common(crow, words.crow.common, "folder for the page");
     add_size(crow, words.crow.settings.resolution.width, words.crow.settings.resolution.height);
     add_isa(crow);
+    add_normals(
+        *app.add_subcommand("normals", "highlights of filtered normal maps, held to their exact mean"),
+        words);
     add_common(*app.add_subcommand("selftest", "plant known faults in filters; are they caught?"),
                words.selftest.common);
     add_filtered(*app.add_subcommand("filtered", "what zproof render asks for --filter"), words);
@@ -346,10 +379,12 @@ Command chosen_command(const CLI::App& app, FiltersWords& words) {
     if (typed("selftest")) return command_of(words.selftest, "cannot test the filters' judge");
     if (typed("filtered")) return command_of(chosen_filtered(words), "cannot filter");
     if (typed("crow")) return command_of(words.crow, "cannot make the page");
+    if (typed("normals")) return command_of(chosen_normals(words), "cannot shade the normals");
     if (!typed("figure"))
         throw UsageError{
-            "filters: 'run', 'list', 'scenes', 'reproduce', 'table', 'figure', 'check', 'explain' or 'crow' "
-            "expected "
+            "filters: 'run', 'list', 'scenes', 'reproduce', 'table', 'figure', 'check', 'explain', 'normals' "
+            "or "
+            "'crow' expected "
             "(see: zproof filters --help)"};
     words.figure.labels = words_of_list(words.only);
     if (!words.crop.empty()) words.figure.crop = crop_box("--crop", words.crop);

@@ -39,6 +39,9 @@ ExitCode execute(const FiltersExplainArguments& arguments);
 /// Writes the page that answers the lecture's questions about Crow 1984.
 ExitCode execute(const FiltersCrowArguments& arguments);
 
+/// Prints how far highlights of filtered normals are from their exact mean.
+ExitCode execute(const FiltersNormalsArguments& arguments);
+
 /// Writes VIEW-filtered.exr and .png beside each VIEW.exr of a folder, or checks the words alone.
 ExitCode execute(const FiltersFilteredArguments& arguments);
 

@@ -46,6 +46,8 @@ constexpr auto all = std::to_array<Example>({
     {"filters explain", "zproof filters explain worked --view phi-45 --pixel 120,60 --method trilinear-gl",
      "the texels that it reads there, their weights, and the pixel's own"},
     {"filters selftest", "zproof filters selftest", "the judge of filters sees known faults"},
+    {"filters normals", "zproof filters normals --view phi-45 --shininess 128",
+     "Toksvig's and LEAN's highlights of bumps, held to their exact mean"},
     {"filters crow", "zproof filters crow -o crow", "the lecture's figure and its questions, answered"},
 });
 

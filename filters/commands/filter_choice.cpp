@@ -17,6 +17,7 @@ namespace zproof {
 namespace {
 
 using rasterizer::Texturing;
+using texture::Decoding;
 using texture::Derivatives;
 using texture::MipKernel;
 using texture::SatStorage;
@@ -48,8 +49,13 @@ bool set_word(T& value, const std::string& text, const std::array<std::pair<std:
     return found != words.end();
 }
 
-constexpr std::array<std::pair<std::string_view, MipKernel>, 3> mip_words{
-    {{"box", MipKernel::box}, {"polyphase", MipKernel::polyphase}, {"lanczos3", MipKernel::lanczos3}}};
+constexpr std::array<std::pair<std::string_view, MipKernel>, 4> mip_words{
+    {{"box", MipKernel::box},
+     {"polyphase", MipKernel::polyphase},
+     {"lanczos3", MipKernel::lanczos3},
+     {"kaiser3", MipKernel::kaiser3}}};
+constexpr std::array<std::pair<std::string_view, Decoding>, 2> decoding_words{
+    {{"before", Decoding::before_filtering}, {"after", Decoding::after_filtering}}};
 constexpr std::array<std::pair<std::string_view, SatStorage>, 4> sat_words{
     {{"integer", SatStorage::integer},
      {"float64", SatStorage::float64},
@@ -79,7 +85,7 @@ const std::vector<MethodSetting>& method_settings() {
          [](Texturing& t, const std::string& s) {
              return set_number(t.options.seed, s, std::uint32_t{0}, std::uint32_t{0xFFFF'FFFF});
          }},
-        {"mip", "box, polyphase or lanczos3", "how smaller levels are made (polyphase)",
+        {"mip", "box, polyphase, lanczos3 or kaiser3", "how smaller levels are made (polyphase)",
          [](Texturing& t, const std::string& s) { return set_word(t.options.mip_kernel, s, mip_words); }},
         {"levels", "a file with mip levels, or a name with {level} in it of which level 1 exists",
          "levels 1 and on, instead of made ones",
@@ -89,6 +95,9 @@ const std::vector<MethodSetting>& method_settings() {
          }},
         {"sat", "integer, float64, float32 or float32-less-mean", "how summed-area tables are kept (float64)",
          [](Texturing& t, const std::string& s) { return set_word(t.options.sat_storage, s, sat_words); }},
+        {"decode", "before or after",
+         "after: sRGB codes are filtered, the wrong way, for comparison (before)",
+         [](Texturing& t, const std::string& s) { return set_word(t.options.decoding, s, decoding_words); }},
         {"derivatives", "analytic or quad", "quad: differences within 2 x 2 pixels",
          [](Texturing& t, const std::string& s) { return set_word(t.derivatives, s, derivative_words); }},
         {"uv", "perspective or affine", "affine: the wrong way, for comparison",
@@ -158,6 +167,9 @@ FilterChoice study_choice(const std::string& word) {
     const texture::FilterOptions& options = choice.texturing.options;
     if (options.lod_min > options.lod_max)
         throw UsageError{"filter '" + word + "': lod-min lies above lod-max"};
+    if (options.given_levels && options.decoding == Decoding::after_filtering)
+        throw UsageError{"filter '" + word +
+                         "': decode=after: expected without levels=, which are linear light"};
     return choice;
 }
 

@@ -39,11 +39,13 @@ PixelReference with_weights_on(const PixelReference& definition, const WeightLat
 /// Bits of what may err by 2^-a and by 2^-b.
 double both(double a, double b) { return -std::log2(std::exp2(-a) + std::exp2(-b)); }
 
-/// What is promised of all that leads to a place on the texture, and nothing else.
+/// What is promised of all that leads to a place on the texture, and of codes: colours that are alike are
+/// rounded alike, so that their roundings are no chance.
 FilterPrecision place_alone(const FilterPrecision& promise) {
     return {.arithmetic_bits = promise.arithmetic_bits,
             .coordinate_bits = promise.coordinate_bits,
-            .displacement_px = promise.displacement_px};
+            .displacement_px = promise.displacement_px,
+            .code_error = promise.code_error};
 }
 
 /// A weight of the blend of two levels that is off by e is an LOD that is off by e. Where weights are a

@@ -31,7 +31,7 @@ ExitCode execute(const FiltersListArguments&) {
         methods.push_back({method.name, method.card.taps});
     for (const study::OtherSampler& other : study::other_samplers())
         methods.push_back({other.method.name, other.method.card.taps});
-    for (const PictureMetric& metric : picture_metrics())
+    for (const PictureMetric& metric : picture_metrics(LightRange::beyond_white))
         metrics.push_back({std::string{metric.name}, std::string{metric.definition}});
     for (const FilterSceneEntry& scene : filter_scenes()) scenes.push_back({scene.name, scene.reason});
     print("methods (docs/texture-filters.md)", methods);

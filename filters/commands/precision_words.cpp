@@ -34,9 +34,13 @@ const std::vector<Key>& keys() {
         {"tap_bits", &FilterPrecision::tap_bits},
         {"sum_bits", &FilterPrecision::sum_bits},
         {"texel_bits", &FilterPrecision::texel_bits},
-        {"colour_bits", &FilterPrecision::colour_bits}};
+        {"colour_bits", &FilterPrecision::colour_bits},
+        {"code_error", &FilterPrecision::code_error}};
     return all;
 }
+
+/// A picture of 8-bit codes, each the nearest one.
+constexpr std::string_view srgb8 = "output=srgb8";
 
 double number(const std::string& word, const std::string& text) {
     double value = -1;
@@ -51,6 +55,7 @@ double number(const std::string& word, const std::string& text) {
 [[noreturn]] void refuse(const std::string& word, const std::string& name) {
     std::vector<std::string> names;
     for (const Key& known : keys()) names.push_back(known.name);
+    names.emplace_back(srgb8);
     for (const FilterPrecisionPreset& preset : filter_precision_presets()) names.emplace_back(preset.name);
     throw UsageError{"--precision: '" + word + "': no such preset or promise" + did_you_mean(name, names) +
                      " (see: zproof filters check --help)"};
@@ -69,6 +74,10 @@ FilterPrecision filter_precision_from_words(const std::vector<std::string>& word
                 throw UsageError{"--precision: '" + word + "': a preset comes first, then keys: " + word +
                                  ",lod_bits=6"};
             precision = *preset;
+            continue;
+        }
+        if (word == srgb8) {
+            precision.code_error = 0.5;
             continue;
         }
         if (key == keys().end()) refuse(word, name);

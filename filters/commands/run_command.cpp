@@ -35,7 +35,12 @@ namespace {
 namespace fs = std::filesystem;
 
 study::Plan plan_of(const FiltersRunArguments& arguments) {
-    study::Plan plan{.methods = {}, .truth = arguments.truth, .flicker_steps = arguments.flicker_steps};
+    const bool has_floats = std::ranges::any_of(
+        arguments.scenes, [](const std::string& word) { return is_photograph_of_floats(word); });
+    study::Plan plan{.methods = {},
+                     .truth = arguments.truth,
+                     .light = has_floats ? LightRange::beyond_white : LightRange::up_to_white,
+                     .flicker_steps = arguments.flicker_steps};
     for (const FilterChoice& choice : arguments.methods) plan.methods.push_back(configured(choice));
     for (const PictureChoice& picture : arguments.pictures) plan.methods.push_back(configured(picture));
     return plan;

@@ -50,6 +50,8 @@ struct FilterPrecision {
     int sum_roundings = 4096;   ///< chained in such a sum, weights included
     double texel_bits = 24;     ///< unit roundoff of stored texels of every level above 0: 11 is float16
     double colour_bits = 24;    ///< unit roundoff of the picture's numbers
+    double code_error = 0;      ///< of a picture of 8-bit sRGB codes: how far a code may lie from its exact
+                                ///< place, in codes; 1/2 is the nearest. 0: the picture is linear light
     WeightLattice weights_on{};  ///< no promise but a hypothesis: weights are rounded to these alone
     double level_offset = 0;  ///< another: places within each level lie so many of its texels on, in u and v
 };

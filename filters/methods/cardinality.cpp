@@ -67,7 +67,8 @@ Method cardinality() {
                      .taps = "At most " + number +
                              " texels of three levels, with weights of sum 1: from the table of texels, "
                              "for a box as wide as the footprint is long. It has 8 places a texel and 8 "
-                             "LODs a level; the nearest counts. At the last level its texel that holds "
+                             "LODs a level; the nearest counts. Ties are settled by order: a mirrored "
+                             "place may have other texels. At the last level its texel that holds "
                              "the place is read. Weights may be negative: the result may leave the "
                              "texels' range.",
                      .source = "Manson and Schaefer 2013, Cardinality-Constrained Texture Filtering: few "

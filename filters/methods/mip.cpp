@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "filters/methods/bilinear_rule.h"
 #include "filters/methods/families.h"
 #include "filters/stored/weighted_chain.h"
@@ -30,11 +32,22 @@ struct Trilinear {
     }
 };
 
+/// trilinear-gl, its LOD's fraction twice as steep about 1/2 and cut off: half of every octave is one level.
+struct Brilinear {
+    static constexpr reads::TapSpacing spacing{};
+
+    LineOfTaps line(const MipReads& mips, const Footprint& footprint) const {
+        const double lod = mips.in_chain(lod_gl_maximum(footprint)), finer = std::floor(lod);
+        return {.lod = finer + std::clamp(2 * (lod - finer) - 0.5, 0.0, 1.0)};
+    }
+};
+
 /// trilinear-gl on a chain weighed by the surface. Negative weights of areas may sum to nothing, so there is
-/// no Lanczos chain of this kind.
+/// no chain of this kind by a windowed sinc.
 Sampler prepare_parameterization_aware(const LinearImage& image, const FilterOptions& options) {
     FilterOptions own = options;
-    if (own.mip_kernel == MipKernel::lanczos3) own.mip_kernel = MipKernel::polyphase;
+    if (own.mip_kernel == MipKernel::lanczos3 || own.mip_kernel == MipKernel::kaiser3)
+        own.mip_kernel = MipKernel::polyphase;
     const std::vector<double> weights =
         own.surface ? texel_weights(own.surface(), image.width, image.height) : std::vector<double>{};
     if (own.given_levels || weights.empty()) return prepare_bilinear<Trilinear<lod_gl_maximum>>(image, own);
@@ -118,6 +131,15 @@ std::vector<Method> mip_methods() {
                        "Akenine-Moller, Crassin, Boksansky, Belcour, Panteleev and Wright 2021, with its "
                        "erratum"},
             prepare_bilinear<Trilinear<lod_ray_cone>>),
+        {.name = "brilinear",
+         .card = {.footprint = "The longer of the pixel's two steps.",
+                  .lod = "log2 of its length in texels, biased, clamped. Its fraction f then becomes "
+                         "min(max(2 f - 1/2, 0), 1).",
+                  .taps = "Bilinear in the two levels around that LOD, weighted by its fraction: one level "
+                          "alone where the LOD is within 1/4 of a whole number.",
+                  .source = "Mesa, llvmpipe, lp_build_brilinear_lod of factor 2; a habit of graphics cards "
+                            "since 2003"},
+         .prepare = prepare_bilinear<Brilinear>},
         {.name = "trilinear-parameterization-aware",
          .card = {.footprint = "The longer of the pixel's two steps.",
                   .lod = "log2 of its length in texels.",

@@ -15,5 +15,7 @@ PictureMetric ssim_metric();
 PictureMetric bias_metric();
 PictureMetric blur_metric();
 PictureMetric alias_metric();
+PictureMetric stops_metric();
+PictureMetric flip_tone_metric();
 
 }  // namespace zproof

@@ -28,8 +28,14 @@ struct PictureMetric {
     double (*pool)(std::span<double> values);  ///< of at least one; may reorder them
 };
 
-/// The metrics in the order of docs/filters.md.
-std::span<const PictureMetric> picture_metrics();
+/// What of light a picture may show.
+enum class LightRange {
+    up_to_white,  ///< 0 to 1
+    beyond_white  ///< as textures of floats have it
+};
+
+/// The metrics in the order of docs/filters.md: of light beyond white there are two more.
+std::span<const PictureMetric> picture_metrics(LightRange range = LightRange::up_to_white);
 
 /// Null where there is none of that name.
 const PictureMetric* find_picture_metric(std::string_view name);

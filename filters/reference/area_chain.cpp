@@ -56,7 +56,8 @@ WeighedTexel weighed(const WeighedImage& finer, const Sources& columns, const So
 
 std::vector<IntervalImage> chain_by_area(const texture::LinearImage& image, const Settings& settings) {
     Settings own = settings;
-    if (own.kernel == ChainKernel::lanczos3) own.kernel = ChainKernel::polyphase;
+    if (own.kernel == ChainKernel::lanczos3 || own.kernel == ChainKernel::kaiser3)
+        own.kernel = ChainKernel::polyphase;
     WeighedImage level{exact_image(image), {}};
     if (settings.scene != nullptr && !settings.given_levels)
         level.shares = area_shares(*settings.scene, settings.image);

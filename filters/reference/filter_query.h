@@ -10,7 +10,7 @@
 namespace zproof::oracle::filter_reference {
 
 /// How the smaller levels of a mip chain are made.
-enum class ChainKernel { box, polyphase, lanczos3 };
+enum class ChainKernel { box, polyphase, lanczos3, kaiser3 };
 
 /// What a chain's levels are kept as.
 enum class LevelFormat {

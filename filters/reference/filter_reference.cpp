@@ -13,7 +13,8 @@ namespace {
 using namespace filter_reference;
 
 texture::LinearImage decoded(const Image& image, Decoding decoding) {
-    texture::LinearImage linear = texture::linear_image({image.width, image.height, image.texels});
+    texture::LinearImage linear =
+        texture::linear_image({image.width, image.height, image.texels, image.light});
     if (decoding == Decoding::before_filtering) return linear;
     for (std::size_t i = 0; i < linear.texels.size(); ++i)
         for (int c = 0; c < 3; ++c) {
@@ -24,17 +25,29 @@ texture::LinearImage decoded(const Image& image, Decoding decoding) {
     return linear;
 }
 
-/// The curve rises, so that the ends hold the extremes.
-ColourRange decoded(const ColourRange& codes) {
-    const auto of = [](const glm::dvec3& c) {
-        return glm::dvec3{decoded_srgb(c.x), decoded_srgb(c.y), decoded_srgb(c.z)};
-    };
-    return {of(codes.low), of(codes.high)};
+glm::dvec3 decoded(const glm::dvec3& codes) {
+    return {decoded_srgb(codes.x), decoded_srgb(codes.y), decoded_srgb(codes.z)};
 }
 
-/// What the sums over texels may cost, theirs and ours, where texels lie in [0, 1]. No definition's number of
+/// The curve rises, so that the ends hold the extremes. Theirs and ours round eight times each; the power
+/// makes 2.4 of each.
+ColourRange decoded(const ColourRange& codes, const FilterPrecision& precision) {
+    const glm::dvec3 low = decoded(codes.low), high = decoded(codes.high);
+    const double rounding = 2.4 * (gamma(8, std::exp2(-precision.sum_bits)) + gamma(8, 0x1p-53));
+    return {low - rounding * glm::abs(low), high + rounding * glm::abs(high)};
+}
+
+/// What the sums over texels may cost, theirs and ours, in the largest texel. No definition's number of
 /// terms times the sum of their absolute weights is more than this; cardinality-8's is 8 times 4.1 at most.
 constexpr int most_terms = 4096;
+
+/// At least 1, the largest code.
+double largest_of(const texture::LinearImage& image) {
+    float largest = 1;
+    for (const glm::vec4& texel : image.texels)
+        largest = std::max({largest, std::abs(texel.r), std::abs(texel.g), std::abs(texel.b)});
+    return double{largest};
+}
 
 /// The factor may be read as the file's number or as the float32 nearest to it, or be anything between.
 ColourRange factor_of(const Material& material) {
@@ -51,15 +64,33 @@ ColourRange product(const ColourRange& factor, const ColourRange& colour) {
                      {factor.high * colour.high, factor.high * colour.high}));
 }
 
-/// Factor, sum and the picture's format.
-ColourRange as_shown(const ColourRange& filtered, const ColourRange& factor,
-                     const FilterPrecision& precision) {
+/// What the sum itself may cost.
+ColourRange summed(const ColourRange& filtered, double largest, const FilterPrecision& precision) {
     const double sums =
-        2 * (gamma(precision.sum_roundings, std::exp2(-precision.sum_bits)) + gamma(most_terms, 0x1p-53));
-    const auto [low, high] = product(factor, {filtered.low - sums, filtered.high + sums});
+        2 * largest *
+        (gamma(precision.sum_roundings, std::exp2(-precision.sum_bits)) + gamma(most_terms, 0x1p-53));
+    return {filtered.low - sums, filtered.high + sums};
+}
+
+/// Every light whose code, 0 to 255, lies so near to that of the range. The curve rises. Light read from a
+/// file of codes is rounded once to float32; our curve's roundings are far below a code's.
+ColourRange as_codes(const ColourRange& light, double error) {
+    const auto moved = [](const glm::dvec3& colour, double codes) {
+        const auto one = [codes](double c) { return decoded_srgb(encoded_srgb(c) + codes / 255); };
+        return glm::dvec3{one(colour.x), one(colour.y), one(colour.z)};
+    };
+    const glm::dvec3 low = moved(light.low, -error), high = moved(light.high, error);
+    return {low - 0x1p-23 * glm::abs(low), high + 0x1p-23 * glm::abs(high)};
+}
+
+/// Factor and the picture's format.
+ColourRange as_shown(const ColourRange& light, const ColourRange& factor, const FilterPrecision& precision) {
+    const auto [low, high] = product(factor, light);
     // The factor's product in double, and one rounding to the picture's numbers.
     const double rounding = std::exp2(-precision.colour_bits) * (1 + 0x1p-50);
-    return {low - rounding * glm::abs(low) - 0x1p-149, high + rounding * glm::abs(high) + 0x1p-149};
+    const ColourRange shown{low - rounding * glm::abs(low) - 0x1p-149,
+                            high + rounding * glm::abs(high) + 0x1p-149};
+    return precision.code_error > 0 ? as_codes(shown, precision.code_error) : shown;
 }
 
 PermittedColours anything() {
@@ -97,14 +128,23 @@ FilterReference::FilterReference(const Scene& scene, const View& view, const Def
         own.wrap = {texture.sampler.wrap_u, texture.sampler.wrap_v};
         own.scene = &scene;
         own.image = texture.image;
-        by_material_.emplace_back();
-        draws_.emplace_back();
+        OfMaterial& one = by_material_.emplace_back();
         if (!is_textured(scene, material)) continue;
         const texture::LinearImage image =
             decoded(scene.images[std::size_t(texture.image)], settings.decoding);
-        by_material_.back() = definition.prepare(image, own);
-        if (definition.draws) draws_.back() = definition.draws(image, own);
+        one = {definition.prepare(image, own), {}, largest_of(image)};
+        if (definition.draws) one.draws = definition.draws(image, own);
     }
+}
+
+const FilterReference::OfMaterial& FilterReference::of(const Material& material) const {
+    return by_material_[std::size_t(&material - scene_.materials.data())];
+}
+
+ColourRange FilterReference::light_of(const ColourRange& filtered, double largest,
+                                      const FilterPrecision& precision) const {
+    const ColourRange sum = summed(filtered, largest, precision);
+    return decoding_ == Decoding::after_filtering ? decoded(sum, precision) : sum;
 }
 
 PermittedColours FilterReference::at(int x, int y, std::span<const PrimitiveId> seen,
@@ -119,15 +159,14 @@ PermittedColours FilterReference::of_surface(int x, int y, PrimitiveId seen,
                                              const FilterPrecision& precision) const {
     if (seen == PrimitiveId::none) return {ColourRange{}};
     const Material& material = material_of(scene_, std::uint32_t(seen));
-    const MethodReference& reference = by_material_[std::size_t(&material - scene_.materials.data())];
+    const auto& [reference, draws, largest] = of(material);
     const ColourRange factor = factor_of(material);
     if (!reference) return {as_shown({glm::dvec3{1}, glm::dvec3{1}}, factor, precision)};
     try {
         const SeenTexture texture{view_, textured_triangle(scene_, std::uint32_t(seen)), precision};
         PermittedColours permitted = reference({texture, x, y, steps_, precision});
         for (ColourRange& range : permitted)
-            range =
-                as_shown(decoding_ == Decoding::after_filtering ? decoded(range) : range, factor, precision);
+            range = as_shown(light_of(range, largest, precision), factor, precision);
         return permitted;
     } catch (const UndecidedSign&) {
         return anything();
@@ -138,13 +177,16 @@ std::optional<ColourDraws> FilterReference::draws_at(int x, int y, PrimitiveId s
                                                      const FilterPrecision& precision) const {
     if (seen == PrimitiveId::none) return std::nullopt;
     const Material& material = material_of(scene_, std::uint32_t(seen));
-    const DrawReference& reference = draws_[std::size_t(&material - scene_.materials.data())];
+    const auto& [method, reference, largest] = of(material);
     if (!reference) return std::nullopt;
     const ColourRange factor = factor_of(material);
     try {
         const SeenTexture texture{view_, textured_triangle(scene_, std::uint32_t(seen)), precision};
         ColourDraws all = reference({texture, x, y, steps_, precision});
-        for (ColourDraw& draw : all.draws) draw.colour = as_shown(draw.colour, factor, precision);
+        // The mean of codes is not that of the light that each draw stands for.
+        if (decoding_ == Decoding::after_filtering && all.samples > 1) return std::nullopt;
+        for (ColourDraw& draw : all.draws)
+            draw.colour = as_shown(light_of(draw.colour, largest, precision), factor, precision);
         return all;
     } catch (const UndecidedSign&) {
         return std::nullopt;

@@ -43,14 +43,21 @@ class FilterReference {
                                         const FilterPrecision& precision) const;
 
   private:
+    struct OfMaterial {
+        filter_reference::MethodReference reference;  ///< empty where a material has no texture
+        filter_reference::DrawReference draws;        ///< of a stochastic definition
+        double largest = 1;                           ///< of the texels' values, at least 1
+    };
+    const OfMaterial& of(const Material& material) const;
     PermittedColours of_surface(int x, int y, PrimitiveId seen, const FilterPrecision& precision) const;
+    /// What was filtered with what the sum may cost, as linear light.
+    ColourRange light_of(const ColourRange& filtered, double largest, const FilterPrecision& precision) const;
 
     const Scene& scene_;
     const View& view_;
     StepRule steps_;
     filter_reference::Decoding decoding_;
-    std::vector<filter_reference::MethodReference> by_material_;  ///< empty where a material has no texture
-    std::vector<filter_reference::DrawReference> draws_;          ///< the same of a stochastic definition
+    std::vector<OfMaterial> by_material_;
 };
 
 }  // namespace zproof::oracle

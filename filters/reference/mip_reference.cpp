@@ -46,6 +46,22 @@ PermittedColours trilinear_by_cone(const Levels& levels, const FilterQuery& q) {
     return {levels.trilinear(level, q.footprint().centre, q.precision)};
 }
 
+/// Mesa, lp_build_brilinear_lod of factor 2: with l = lod + 1/4, the level floor(l), blended with the next by
+/// 2 fract(l) - 1, at least 0. It rises with the LOD, so that an interval's ends hold its extremes.
+Interval brilinear_level(const Interval& lod, std::size_t count) {
+    const auto snapped = [](double at) {
+        const double shifted = at + 0.25, level = std::floor(shifted);
+        return level + std::max(0.0, 2 * (shifted - level) - 1);
+    };
+    return clamped(widen({snapped(lod.low()), snapped(lod.high())}, 0x1p-46), 0, double(count) - 1);
+}
+
+PermittedColours brilinear(const Levels& levels, const FilterQuery& q) {
+    const PixelFootprint f = q.footprint();
+    const Interval level = level_at(LodRule::gl_maximum, levels, q, f);
+    return {levels.trilinear(brilinear_level(level, levels.count()), f.centre, q.precision)};
+}
+
 /// trilinear-gl on a chain weighed by area.
 MethodReference parameterization_aware(const texture::LinearImage& image, const Settings& settings) {
     return [levels = std::make_shared<const Levels>(chain_by_area(image, settings), settings)](
@@ -66,6 +82,7 @@ std::vector<Definition> mip_definitions() {
             trilinear_definition("area", LodRule::root_of_area),
             trilinear_definition("pbrt", LodRule::pbrt),
             {"trilinear-ray-cone", over_levels(trilinear_by_cone)},
+            {"brilinear", over_levels(brilinear)},
             {"trilinear-parameterization-aware", parameterization_aware},
             trilinear_definition("mesa", LodRule::mesa_longer_step)};
 }

@@ -51,7 +51,8 @@ Texture2d plane_texture(const Plane<glm::vec4>& plane) {
 
 Texture2d mipped_texture(const Image& image, const Sampler& sampler, PeerFilter filter,
                          const FilterSettings& settings) {
-    const texture::LinearImage linear = texture::linear_image({image.width, image.height, image.texels});
+    const texture::LinearImage linear =
+        texture::linear_image({image.width, image.height, image.texels, image.light});
     Texture2d texture = bound_texture(image.width, image.height, linear.texels.data());
     glGenerateMipmap(GL_TEXTURE_2D);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, gl_wrap_of(sampler.wrap_u));

@@ -58,7 +58,7 @@ class SceneTextures {
     explicit SceneTextures(const Scene& scene) {
         for (const Image& image : scene.images) {
             const texture::LinearImage linear =
-                texture::linear_image({image.width, image.height, image.texels});
+                texture::linear_image({image.width, image.height, image.texels, image.light});
             std::vector<float> rgb;
             for (const glm::vec4& texel : linear.texels) rgb.insert(rgb.end(), {texel.r, texel.g, texel.b});
             system_.add({image.width, image.height}, rgb);

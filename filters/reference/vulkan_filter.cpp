@@ -12,8 +12,8 @@ Picture vulkan_filtered(const Scene& scene, const View& view, const Frame& frame
             texture::FilterOptions options;
             options.mip_kernel = asked.mip_kernel;
             const VulkanTexture texture{
-                .levels = texture::mip_chain(texture::linear_image({image.width, image.height, image.texels}),
-                                             options),
+                .levels = texture::mip_chain(
+                    texture::linear_image({image.width, image.height, image.texels, image.light}), options),
                 .wrap_u = sampler.wrap_u,
                 .wrap_v = sampler.wrap_v,
                 .max_anisotropy = asked.filter == PeerFilter::anisotropic ? float(asked.max_anisotropy) : 1};

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "filters/conformance/picture_format.h"
 #include "filters/methods/catalogue.h"
 
 namespace zproof::selftest {
@@ -44,8 +45,10 @@ Picture picture_under(const DefinitionChange& change, const FilterFixture& fixtu
     const FilterClaim now = claim_under(change, claim);
     const texture::Method* const method = texture::find_method(now.method);
     if (method == nullptr) throw std::logic_error("no method '" + now.method + "'");
-    return rasterizer::filtered(*scene_under(change, fixture), fixture.view, fixture.frame,
-                                {.method = *method, .options = now.options, .derivatives = now.derivatives});
+    return as_stored(
+        rasterizer::filtered(*scene_under(change, fixture), fixture.view, fixture.frame,
+                             {.method = *method, .options = now.options, .derivatives = now.derivatives}),
+        now.precision);
 }
 
 ChangedDefinitions::ChangedDefinitions(const FilterFixture& fixture, const FilterClaim& claim)

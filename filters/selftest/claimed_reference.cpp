@@ -10,13 +10,29 @@ const oracle::filter_reference::Definition& definition_of(const std::string& met
     return *definition;
 }
 
-oracle::FilterSettings reference_settings(const texture::FilterOptions& o, const FilterPrecision& promise) {
+namespace {
+
+oracle::filter_reference::ChainKernel chain_kernel(texture::MipKernel kernel) {
     using oracle::filter_reference::ChainKernel;
-    const auto kernel = o.mip_kernel == texture::MipKernel::box         ? ChainKernel::box
-                        : o.mip_kernel == texture::MipKernel::polyphase ? ChainKernel::polyphase
-                                                                        : ChainKernel::lanczos3;
+    switch (kernel) {
+        case texture::MipKernel::box:
+            return ChainKernel::box;
+        case texture::MipKernel::polyphase:
+            return ChainKernel::polyphase;
+        case texture::MipKernel::lanczos3:
+            return ChainKernel::lanczos3;
+        case texture::MipKernel::kaiser3:
+            return ChainKernel::kaiser3;
+    }
+    return {};
+}
+
+}  // namespace
+
+oracle::FilterSettings reference_settings(const texture::FilterOptions& o, const FilterPrecision& promise) {
+    using oracle::filter_reference::Decoding;
     return {.wrap = {},
-            .kernel = kernel,
+            .kernel = chain_kernel(o.mip_kernel),
             .lod_bias = o.lod_bias,
             .lod_min = o.lod_min,
             .lod_max = o.lod_max,
@@ -25,7 +41,9 @@ oracle::FilterSettings reference_settings(const texture::FilterOptions& o, const
             .samples = o.samples,
             .seed = o.seed,
             .given_levels = o.given_levels,
-            .texel_bits = promise.texel_bits};
+            .texel_bits = promise.texel_bits,
+            .decoding = o.decoding == texture::Decoding::before_filtering ? Decoding::before_filtering
+                                                                          : Decoding::after_filtering};
 }
 
 FilterPrecision filter_precision(const texture::FilterOptions& o) {

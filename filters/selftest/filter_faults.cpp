@@ -246,7 +246,11 @@ std::vector<FilterFault> faults_of_levels() {
             {"last_level_missing", "the chain ends at 2 x 2 texels", "trilinear-gl",
              set([](FilterOptions& o) { o.lod_max = 6; })},
             {"trilinear_without_blend", "the level is not blended with the coarser one", "trilinear-gl",
-             by("mip-nearest-bilinear")}};
+             by("mip-nearest-bilinear")},
+            {"blend_in_half_of_each_octave", "levels are blended in the middle half of each octave alone",
+             "trilinear-gl", by("brilinear")},
+            {"blend_in_every_octave", "levels are blended over the whole octave", "brilinear",
+             by("trilinear-gl")}};
 }
 
 std::vector<FilterFault> faults_of_weights() {
@@ -323,6 +327,18 @@ std::vector<FilterFault> faults_of_textures() {
              Ground::odd_sizes},
             {"lanczos_for_box", "levels are made by Lanczos instead of the box", "trilinear-gl",
              set([](FilterOptions& o) { o.mip_kernel = texture::MipKernel::lanczos3; })},
+            {"lanczos_for_kaiser",
+             "levels are made by Lanczos instead of Kaiser",
+             "trilinear-gl",
+             set([](FilterOptions& o) { o.mip_kernel = texture::MipKernel::lanczos3; }),
+             {.mip_kernel = texture::MipKernel::kaiser3}},
+            {"codes_filtered", "sRGB codes are filtered and decoded then", "trilinear-gl",
+             set([](FilterOptions& o) { o.decoding = texture::Decoding::after_filtering; })},
+            {"light_filtered",
+             "light is filtered where codes are promised",
+             "trilinear-gl",
+             set([](FilterOptions& o) { o.decoding = texture::Decoding::before_filtering; }),
+             {.decoding = texture::Decoding::after_filtering}},
             {"texels_weighed_alike", "every texel counts alike, whatever it covers of the surface",
              "trilinear-parameterization-aware", by("trilinear-gl")},
             {"first_triangle_alone", "texels are weighed by the first triangle alone",

@@ -83,10 +83,11 @@ void add_levels(Changes& all) {
         all.push_back({.name = "no level above " + std::to_string(last), .of_claim = [last](FilterClaim& c) {
                            c.options.lod_max = std::min(c.options.lod_max, double(last));
                        }});
-    constexpr std::array<std::pair<texture::MipKernel, const char*>, 3> kernels{
+    constexpr std::array<std::pair<texture::MipKernel, const char*>, 4> kernels{
         {{texture::MipKernel::box, "box"},
          {texture::MipKernel::polyphase, "polyphase"},
-         {texture::MipKernel::lanczos3, "lanczos3"}}};
+         {texture::MipKernel::lanczos3, "lanczos3"},
+         {texture::MipKernel::kaiser3, "kaiser3"}}};
     for (const auto& [kernel, name] : kernels)
         all.push_back({.name = std::string{"levels by "} + name,
                        .of_claim = [k = kernel](FilterClaim& c) { c.options.mip_kernel = k; }});

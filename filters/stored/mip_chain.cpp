@@ -25,12 +25,17 @@ double sinc(double x) {
 
 double lanczos3(double x) { return std::abs(x) < 3 ? sinc(x) * sinc(x / 3) : 0; }
 
-std::vector<AxisShare> lanczos3_shares(int index, int from, int to, Wrap wrap) {
+/// Times I0(4), which is the same for all.
+double kaiser3(double x) {
+    return std::abs(x) < 3 ? sinc(x) * std::cyl_bessel_i(0.0, 4 * std::sqrt(1 - x * x / 9)) : 0;
+}
+
+std::vector<AxisShare> windowed_shares(double (*window)(double), int index, int from, int to, Wrap wrap) {
     const double step = double(from) / to, centre = (index + 0.5) * step;
     std::vector<AxisShare> shares;
     double sum = 0;
     for (auto j = std::int64_t(std::floor(centre - 3 * step)); double(j) <= centre + 3 * step; ++j) {
-        const double weight = lanczos3((double(j) + 0.5 - centre) / step);
+        const double weight = window((double(j) + 0.5 - centre) / step);
         if (weight == 0) continue;
         add(shares, wrapped(wrap, j, from), weight);
         sum += weight;
@@ -80,8 +85,9 @@ AxisWeights halving(int size, MipKernel kernel, Wrap wrap) {
     const int half = size / 2;
     AxisWeights weights;
     for (int i = 0; i < half; ++i) {
-        if (kernel == MipKernel::lanczos3)
-            weights.push_back(lanczos3_shares(i, size, half, wrap));
+        if (kernel == MipKernel::lanczos3 || kernel == MipKernel::kaiser3)
+            weights.push_back(
+                windowed_shares(kernel == MipKernel::lanczos3 ? lanczos3 : kaiser3, i, size, half, wrap));
         else if (kernel == MipKernel::polyphase && size % 2 == 1)
             weights.push_back(polyphase_shares(i, size, half));
         else

@@ -22,6 +22,7 @@ using AxisWeights = std::vector<std::vector<AxisShare>>;
 ///              the mean of the piecewise constant over [i n / m, (i + 1) n / m]); box where n is even
 ///   lanczos3   sinc(x) sinc(x / 3), |x| < 3, at x = (j + 1/2) m / n - (i + 1/2) over all j of the wrapped
 ///              line, divided by their sum
+///   kaiser3    the same of sinc(x) I0(4 sqrt(1 - (x / 3)^2)), I0 the modified Bessel function
 AxisWeights halving(int size, MipKernel kernel, Wrap wrap);
 
 /// The weights of both steps in one: what `coarse` is made of at the size that `fine` starts from.

@@ -1,6 +1,8 @@
 #include "filters/stored/summed_area.h"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -19,6 +21,16 @@ Units in_units(const glm::dvec4& texel) {
 
 glm::dvec4 from_units(const Units& sum) {
     return glm::dvec4(glm::vec<4, std::int64_t>(sum)) * SummedArea::unit;
+}
+
+/// Light brighter than white may add up to more than 64 bits of units.
+void refuse_large_sums(const LinearImage& image) {
+    glm::dvec4 sum{0};
+    for (const glm::vec4& texel : image.texels) sum += glm::abs(glm::dvec4(texel));
+    if (std::max({sum.r, sum.g, sum.b, sum.a}) >= 0x1p63 * SummedArea::unit)
+        throw std::runtime_error{
+            "a summed-area table holds sums below 2^28, and this texture's is larger: scale "
+            "its light down, or keep sums as integers (sat=integer)"};
 }
 
 /// The image's mean, rounded to units.
@@ -51,6 +63,7 @@ void SummedArea::keep(const LinearImage& image) {
 
 SummedArea::SummedArea(const LinearImage& image, SatStorage storage)
     : width_(image.width), height_(image.height) {
+    if (storage != SatStorage::integer) refuse_large_sums(image);
     if (storage == SatStorage::float32_less_mean) mean_ = mean_of(image);
     if (storage == SatStorage::integer)
         keep<std::uint64_t>(image);

@@ -23,6 +23,8 @@ class SummedArea {
   public:
     static constexpr double unit = 0x1p-35;
 
+    /// Throws std::runtime_error where the absolute texels of a channel sum to 2^28 or more, and are not kept
+    /// as integers.
     SummedArea(const LinearImage& image, SatStorage storage);
 
     int width() const { return width_; }

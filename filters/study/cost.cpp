@@ -94,9 +94,10 @@ SourceTextures source_textures(const Scene& scene) {
         textures.emplace_back();
         if (material.base_color.image == Texture::none) continue;
         const Image& image = scene.images[std::size_t(material.base_color.image)];
-        textures.back() = SourceTexture{texture::linear_image({image.width, image.height, image.texels}),
-                                        rasterizer::addressing_of(material.base_color.sampler),
-                                        rasterizer::surface_of(scene, material.base_color.image)};
+        textures.back() =
+            SourceTexture{texture::linear_image({image.width, image.height, image.texels, image.light}),
+                          rasterizer::addressing_of(material.base_color.sampler),
+                          rasterizer::surface_of(scene, material.base_color.image)};
     }
     return textures;
 }

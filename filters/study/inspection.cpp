@@ -114,9 +114,11 @@ std::vector<WeightFinding> findings_of(const texture::Ellipse& ellipse, const te
 
 namespace {
 
-/// Not of a sampler of others, and not where levels are given: what they are made of nobody says.
+/// Not of a sampler of others, and not where levels are given: what they are made of nobody says. Where codes
+/// are filtered the weights are not those of light.
 bool has_known_weights(const ConfiguredMethod& method) {
-    return !method.paint && !method.texturing.options.given_levels;
+    const texture::FilterOptions& options = method.texturing.options;
+    return !method.paint && !options.given_levels && options.decoding == texture::Decoding::before_filtering;
 }
 
 /// A large table of repeated sums does not tell it.

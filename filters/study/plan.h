@@ -33,6 +33,7 @@ struct ConfiguredMethod {
 struct Plan {
     std::vector<ConfiguredMethod> methods;
     oracle::Reconstruction truth = oracle::Reconstruction::bilinear;
+    LightRange light = LightRange::up_to_white;  ///< which metrics are measured
     int flicker_steps = 2;  ///< further views, each shifted by flicker_step_px; 0: flicker is not measured
     /// Rows above it count in the regions "all" and "horizon" only, and cost nothing: where a plane ends in
     /// its horizon, a few rows would decide everything.

@@ -53,13 +53,13 @@ LinearPicture in_double(const Picture& picture) {
 
 std::vector<RegionScore> scores(const LinearPicture& picture, const LinearPicture& truth,
                                 const Plane<double>& half_width, std::span<const Region> regions,
-                                const MapVisit& visit) {
+                                const Measures& measures) {
     std::vector<RegionScore> all;
     for (const Region& region : regions)
         all.push_back({region.name, region.pixels, half_width_of(half_width, region), {}});
-    for (const PictureMetric& metric : picture_metrics()) {
+    for (const PictureMetric& metric : measures.metrics) {
         const Plane<double> map = metric.map(picture, truth);
-        if (visit) visit(metric, map);
+        if (measures.visit) measures.visit(metric, map);
         tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
             all[i].values.push_back(measured(metric, map, regions[i].mask));
         });

@@ -15,13 +15,17 @@ namespace zproof::study {
 /// The picture's float32 channels as doubles.
 LinearPicture in_double(const Picture& picture);
 
-/// Is told every metric's values, pixel by pixel.
-using MapVisit = std::function<void(const PictureMetric&, const Plane<double>&)>;
+/// What is measured.
+struct Measures {
+    std::span<const PictureMetric> metrics = picture_metrics();
+    /// Is told every metric's values, pixel by pixel; empty: nobody is.
+    std::function<void(const PictureMetric&, const Plane<double>&)> visit{};
+};
 
-/// The metrics of picture_metrics() for every region, in order. `half_width` is the truth's.
+/// Every metric for every region, in order. `half_width` is the truth's.
 std::vector<RegionScore> scores(const LinearPicture& picture, const LinearPicture& truth,
                                 const Plane<double>& half_width, std::span<const Region> regions,
-                                const MapVisit& visit = {});
+                                const Measures& measures = {});
 
 /// The flicker of pictures and truths of the same views, one after the other, over the pixels where the mask
 /// is not 0. There are no steps where there are fewer than two views or no pixel.

@@ -59,7 +59,7 @@ Plane<T> from_row(Plane<T> plane, int first_row, T value) {
 class MeasuredView {
   public:
     MeasuredView(const Scene& scene, const View& view, const Plan& plan, const ProgressSink& progress_sink)
-        : scene_(scene), textures_(source_textures(scene)) {
+        : scene_(scene), metrics_(picture_metrics(plan.light)), textures_(source_textures(scene)) {
         const auto counted_rows = [&](Plane<oracle::TruthKind> kinds) {
             return from_row(std::move(kinds), plan.first_row, oracle::TruthKind::background);
         };
@@ -94,11 +94,11 @@ class MeasuredView {
             if (k == 0) progress_sink.is_shown(configured_method.label, picture);
             pictures.push_back(in_double(picture));
         }
-        const MapVisit visit = [&](const PictureMetric& metric, const Plane<double>& map) {
+        const auto visit = [&](const PictureMetric& metric, const Plane<double>& map) {
             if (progress_sink.is_mapped) progress_sink.is_mapped(configured_method.label, metric, map);
         };
         return {.label = configured_method.label,
-                .regions = scores(pictures[0], pan_.truths[0], half_width_, regions_, visit),
+                .regions = scores(pictures[0], pan_.truths[0], half_width_, regions_, {metrics_, visit}),
                 .cost = cost(configured_method),
                 .flicker = flicker(pictures, pan_.truths, steady_),
                 .file = {}};
@@ -127,6 +127,7 @@ class MeasuredView {
     }
 
     const Scene& scene_;
+    std::span<const PictureMetric> metrics_;
     SourceTextures textures_;
     Pan pan_;
     Plane<double> half_width_;
@@ -142,7 +143,7 @@ class MeasuredView {
 StudyResults begun(const Plan& plan) {
     StudyResults results;
     results.truth = oracle::letters_of(plan.truth);
-    for (const PictureMetric& m : picture_metrics())
+    for (const PictureMetric& m : picture_metrics(plan.light))
         results.metrics.push_back({std::string{m.name}, std::string{m.definition}, std::string{m.source},
                                    m.better == Better::higher, m.decimals});
     results.regions = region_cards();

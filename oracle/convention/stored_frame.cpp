@@ -9,6 +9,7 @@
 #include "image_io/image_io.h"
 #include "image_io/module.h"
 #include "image_io/raw_frame.h"
+#include "math/srgb.h"
 #include "oracle/convention/frame_bytes.h"
 #include "oracle/isolated.h"
 #include "scenes/camera_depth.h"
@@ -119,6 +120,18 @@ Bytes bytes_of(const Picture& picture) {
     return {bytes.begin(), bytes.end()};
 }
 
+/// 8-bit sRGB as linear light.
+Picture picture_of_codes(const std::filesystem::path& file, const View& view) {
+    const Rgba8Image image = read_rgba8(file, std::max(view.width, view.height));
+    refuse_other_size(file, image.size, view);
+    Picture picture{image.size};
+    for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
+        const auto light = [&](std::size_t c) { return float(decoded_srgb(image.rgba[4 * i + c] / 255.0)); };
+        picture.pixels()[i] = {light(0), light(1), light(2)};
+    }
+    return picture;
+}
+
 }  // namespace
 
 Picture read_stored_picture(const std::filesystem::path& file, const View& view,
@@ -127,6 +140,7 @@ Picture read_stored_picture(const std::filesystem::path& file, const View& view,
     image_io::load_module();
     const std::size_t memory = reader_memory_bytes + picture_bytes_per_pixel * picture.size().pixel_count();
     const Bytes bytes = isolated(file.string(), {memory, time_limit}, [&] {
+        if (stored_image(file).is_of_bytes) return bytes_of(picture_of_codes(file, view));
         refuse_other_size(file, picture_size(file), view);
         return bytes_of(read_picture(file));
     });

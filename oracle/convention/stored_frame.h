@@ -44,9 +44,9 @@ inline constexpr std::size_t reader_memory_bytes = std::size_t{256} << 20;
 /// Throws FrameError, naming both sizes.
 void refuse_other_size(const std::filesystem::path& file, Resolution size, const View& view);
 
-/// Reads R, G and B, half or float32 and in linear light, in a copy of this process (oracle/isolated.h), as
-/// it does frames. Throws FrameError where the file cannot be read, is not of the view's size, or uses up the
-/// limit.
+/// Reads R, G and B, half or float32 in linear light or 8-bit sRGB, in a copy of this process
+/// (oracle/isolated.h), as it does frames. Throws FrameError where the file cannot be read, is not of the
+/// view's size, or uses up the limit.
 Picture read_stored_picture(const std::filesystem::path& file, const View& view,
                             std::chrono::milliseconds time_limit);
 

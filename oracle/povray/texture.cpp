@@ -45,7 +45,7 @@ PovrayTexture povray_texture(const Scene& scene, const Material& material, const
                           std::to_string(made.u.count) + " x " + std::to_string(made.v.count) +
                           " texels; at most " + std::to_string(most_texels) + " on either side");
     Plane<Rgb16> unrolled_image({made.u.count, made.v.count});
-    const texture::Texels texels{image.width, image.height, image.texels};
+    const texture::Texels texels{image.width, image.height, image.texels, image.light};
     for (int row = 0; row < made.v.count; ++row)
         for (int column = 0; column < made.u.count; ++column) {
             const int x = made.u.first + column, y = made.v.first + row;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "frame/frame_error.h"
 #include "scenes/filters/scenes.h"
 #include "scenes/limits.h"
 #include "scenes/scene_error.h"
@@ -95,6 +96,23 @@ void check_size(const std::string& name, int width, int height) {
                          std::to_string(height) + " pixels, expected at least 1 x 1");
 }
 
+std::string lower_extension(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return extension;
+}
+
+/// Formats with levels, blocks and floats.
+bool is_of_levels(const std::string& extension) { return extension == ".exr" || extension == ".dds"; }
+
+Image photograph_in(const std::filesystem::path& file) {
+    const Bytes bytes = read_file(file, limits::file_bytes);
+    const std::string fault = image_fault(bytes);
+    if (!fault.empty()) throw std::runtime_error(fault);
+    return decode_image(bytes);
+}
+
 }  // namespace
 
 std::vector<FilterSceneEntry> filter_scenes() {
@@ -112,15 +130,29 @@ Loaded generate_filter_scene(const std::string& name, int width, int height) {
     return generator->build({.width = width, .height = height});
 }
 
+bool is_photograph(const std::filesystem::path& file) {
+    const std::string extension = lower_extension(file);
+    return extension == ".png" || extension == ".jpg" || extension == ".jpeg" || is_of_levels(extension);
+}
+
+bool is_photograph_of_floats(const std::filesystem::path& file) {
+    return is_of_levels(lower_extension(file)) && is_texture_of_floats(file);
+}
+
+Loaded plane_scene(const std::string& name, Image image, int width, int height) {
+    check_size(name, width, height);
+    return filters::ground(name, std::move(image), {.width = width, .height = height}, 7.5);
+}
+
 Loaded photograph_scene(const std::filesystem::path& file, int width, int height) {
-    check_size("photograph", width, height);
-    const Bytes bytes = read_file(file, limits::file_bytes);
-    const std::string fault = image_fault(bytes);
-    if (!fault.empty()) throw SceneError(file.string() + ": " + fault);
     try {
-        Image image = decode_image(bytes);
+        Image image = is_of_levels(lower_extension(file)) ? texture_in(file) : photograph_in(file);
         const std::string name = image.name = file.filename().string();
-        return filters::ground(name, std::move(image), {.width = width, .height = height}, 7.5);
+        return plane_scene(name, std::move(image), width, height);
+    } catch (const SceneError&) {
+        throw;
+    } catch (const FrameError& error) {
+        throw SceneError(error.what());  // it names the file
     } catch (const std::runtime_error& error) {
         throw SceneError(file.string() + ": " + error.what());
     }

@@ -21,8 +21,17 @@ std::vector<FilterSceneEntry> filter_scenes();
 /// Builds one of them with its views; the same bits every time. Throws SceneError for an unknown name.
 Loaded generate_filter_scene(const std::string& name, int width = 512, int height = 512);
 
-/// The plane of `checker_plane` with a PNG or JPEG file as its texture, 128 texels to a unit; the scene is
+/// Is it by its name a file of texels: PNG, JPEG, OpenEXR or DDS?
+bool is_photograph(const std::filesystem::path& file);
+
+/// Is it one whose samples are floats? Throws FrameError where it cannot be read.
+bool is_photograph_of_floats(const std::filesystem::path& file);
+
+/// The plane of `checker_plane` with such a file as its texture, 128 texels to a unit; the scene is
 /// named after the file, "rocket.jpg". Throws SceneError where the file cannot be read.
 Loaded photograph_scene(const std::filesystem::path& file, int width = 512, int height = 512);
+
+/// That plane with an image that is no file's.
+Loaded plane_scene(const std::string& name, Image image, int width = 512, int height = 512);
 
 }  // namespace zproof

@@ -64,6 +64,7 @@ const std::map<std::string, Call> calls{
     {"filters figure", {{"filters"}}},
     {"filters check", {{"nearest", "worked", "--view", "phi-0"}}},
     {"filters explain", {{"worked", "--view", "phi-0", "--pixel", "9,12", "--method", "ewa-true"}}},
+    {"filters normals", {{"--view", "phi-0", "--methods", "nearest"}}},
     {"filters crow", {{}}},
     {"filters selftest", {{}, Call::Told::alike, Call::Work::of_seconds}},
     {"study projection", {{"two.gltf", "--without-povray"}, Call::Told::with_times, Call::Work::of_seconds}},

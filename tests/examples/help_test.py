@@ -20,7 +20,7 @@ LONG = re.compile(r'zproof (selftest|filters check all|filters run worked'
                   r'|filters run checker_plane --view phi-45 --truth B -o)')
 # `zproof run` hears of a size by the environment; these are told. A picture of one's own has a size.
 SIZE = {'ZPROOF_WIDTH': '48', 'ZPROOF_HEIGHT': '32'}
-SIZED = re.compile(r'zproof (render|filters run|filters check|filters crow|study \w+)\b(?!.*--picture)')
+SIZED = re.compile(r'zproof (render|filters run|filters check|filters crow|filters normals|study \w+)\b(?!.*--picture)')
 TODAY = '2026-11-21'  # a day on which the waivers of the examples hold
 
 # --- the examples ------------------------------------------------------------------------------------------

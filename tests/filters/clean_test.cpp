@@ -25,6 +25,8 @@ std::vector<Setting> settings() {
             {"biased", {.lod_bias = 0.75, .lod_min = 1.25, .lod_max = 3.5}},
             {"box", {.mip_kernel = texture::MipKernel::box}},
             {"lanczos", {.mip_kernel = texture::MipKernel::lanczos3}},
+            {"kaiser", {.mip_kernel = texture::MipKernel::kaiser3}},
+            {"codes", {.decoding = texture::Decoding::after_filtering}},
             {"quad", {}, texture::Derivatives::quad_differences}};
 }
 

@@ -24,24 +24,49 @@ constexpr int side = 16;
 
 std::uint8_t grey_of_level(int level) { return std::uint8_t(10 + 40 * level); }
 
-/// Uncompressed R8G8B8A8, each level of its own grey, by Microsoft's description of the file: a magic word, a
-/// header of 124 bytes, the levels one after the other.
-std::string grey_dds() {
+/// By Microsoft's description of the file: a magic word and a header of 124 bytes, of `side` texels with all
+/// levels. What follows are the levels one after the other.
+std::array<std::uint32_t, 32> dds_header() {
     std::array<std::uint32_t, 32> words{};
     words[0] = 0x20534444;       // "DDS "
     words[1] = 124;              // bytes of the header
-    words[2] = 0x0002100F;       // caps, height, width, pitch, pixel format, mip map count
+    words[2] = 0x00021007;       // caps, height, width, pixel format, mip map count
     words[3] = words[4] = side;  // height, width
-    words[5] = 4 * side;         // pitch
     words[7] = std::bit_width(std::uint32_t{side});
-    words[19] = 32, words[20] = 0x41;  // pixel format: its bytes; RGB with alpha
-    words[22] = 32;                    // bits of a pixel
-    words[23] = 0x000000FF, words[24] = 0x0000FF00, words[25] = 0x00FF0000, words[26] = 0xFF000000;
+    words[19] = 32;          // bytes of the pixel format
     words[27] = 0x00401008;  // texture, mip map, complex
-    std::string file(reinterpret_cast<const char*>(words.data()), sizeof words);
+    return words;
+}
+
+std::string bytes_of(const std::array<std::uint32_t, 32>& words) {
+    return {reinterpret_cast<const char*>(words.data()), sizeof words};
+}
+
+/// Uncompressed R8G8B8A8, each level of its own grey.
+std::string grey_dds() {
+    std::array<std::uint32_t, 32> words = dds_header();
+    words[2] |= 8, words[5] = 4 * side;  // pitch
+    words[20] = 0x41;                    // RGB with alpha
+    words[22] = 32;                      // bits of a pixel
+    words[23] = 0x000000FF, words[24] = 0x0000FF00, words[25] = 0x00FF0000, words[26] = 0xFF000000;
+    std::string file = bytes_of(words);
     for (int level = 0; side >> level >= 1; ++level) {
         const char grey = char(grey_of_level(level));
         for (int i = 0; i < (side >> level) * (side >> level); ++i) file += {grey, grey, grey, '\xFF'};
+    }
+    return file;
+}
+
+/// BC1: every block of 4 x 4 texels has the ends white and black, and each row the indices 0, 1, 2, 3: white,
+/// black, two thirds and one third of white.
+std::string block_compressed_dds() {
+    std::array<std::uint32_t, 32> words = dds_header();
+    words[2] |= 0x80000, words[5] = side * side / 2;  // bytes of level 0
+    words[20] = 4, words[21] = 0x31545844;            // "DXT1"
+    std::string file = bytes_of(words);
+    for (int level = 0; side >> level >= 1; ++level) {
+        const int blocks = ((side >> level) + 3) / 4;
+        for (int i = 0; i < blocks * blocks; ++i) file += std::string{"\xFF\xFF\0\0\xE4\xE4\xE4\xE4", 8};
     }
     return file;
 }
@@ -73,6 +98,21 @@ TEST_F(GivenLevels, OfOneFileAreThoseOfAFilePerLevel) {
     ASSERT_TRUE(in_files && in_one);
     EXPECT_EQ(in_files->size(), 4u);
     expect_same(*in_one, *in_files);
+}
+
+TEST_F(GivenLevels, OfBlocksAreTheColoursBetweenTheirEnds) {
+    folder.write("blocks.dds", block_compressed_dds());
+    const auto levels = levels_from_files(path("blocks.dds"));
+    ASSERT_TRUE(levels);
+    ASSERT_EQ(levels->size(), 4u);
+    constexpr std::array<std::uint8_t, 4> codes{255, 0, 170, 85};
+    for (const LinearImage& level : *levels)
+        for (int row = 0; row < level.height; ++row)
+            for (int column = 0; column < level.width; ++column) {
+                const std::uint8_t code = codes[std::size_t(column % 4)];
+                const std::array<std::uint8_t, 4> texel{code, code, code, 255};
+                EXPECT_EQ(level.at(column, row), texture::linear_image({1, 1, texel}).texels.at(0));
+            }
 }
 
 /// maketx writes TIFF and OpenEXR in tiles, with all levels.

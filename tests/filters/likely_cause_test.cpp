@@ -41,6 +41,10 @@ const std::map<std::string, std::string> named{
     {"anisotropy_not_limited", "the limit of anisotropy is 64"},
     {"one_tap", "the limit of anisotropy is 1"},
     {"lanczos_for_box", "levels by lanczos3"},
+    {"lanczos_for_kaiser", "levels by lanczos3"},
+    {"blend_in_half_of_each_octave", "it is brilinear"},
+    {"blend_in_every_octave", "it is trilinear-gl"},
+    {"codes_filtered", "sRGB is decoded after filtering"},
     {"last_column_dropped", "levels by box"}};
 
 class CauseOfFault : public testing::TestWithParam<FilterFault> {};

@@ -16,6 +16,7 @@
 #include "image_io/image_io.h"
 #include "program/command_line/outline.h"
 #include "program/usage_error.h"
+#include "reports/pictures.h"
 #include "scenes/filters/filter_scenes.h"
 #include "scenes/scene_hash.h"
 #include "scenes/view_file.h"
@@ -186,8 +187,10 @@ TEST(Filters, WhatIsMistypedIsNamedWithWhatIsNear) {
         EXPECT_EQ(ran.exit_code, status) << ran.err;
         EXPECT_NE(ran.err.find(said), std::string::npos) << ran.err;
     };
-    refused({"filters"},
-            "'run', 'list', 'scenes', 'reproduce', 'table', 'figure', 'check', 'explain' or 'crow' expected");
+    refused(
+        {"filters"},
+        "'run', 'list', 'scenes', 'reproduce', 'table', 'figure', 'check', 'explain', 'normals' or 'crow' "
+        "expected");
     refused({"filters", "run", "wroked"}, "did you mean 'worked'?", 3);
     refused({"filters", "run", "worked", "--methods", "nearst"}, "did you mean 'nearest'?");
     refused({"filters", "run", "worked", "--truth", "X"}, "--truth");
@@ -255,6 +258,22 @@ TEST(Filters, CheckComparesAnyPictureWithItsReference) {
                            "study/pictures/worked-phi-0/nearest.exr", "--width", "32", "--height", "32"})
                   .exit_code,
               2);
+}
+
+/// Eight bits of sRGB as most programs write them.
+TEST(Filters, CheckReadsAPngThatPromisesItsCodes) {
+    const Folder folder;
+    ASSERT_EQ(run(folder, small).exit_code, 0);
+    const fs::path made = folder.path() / "study/pictures/worked-phi-0/trilinear-gl_bias_1.exr";
+    write_png(folder.path() / "mine.png", picture_of_light(read_picture(made)));
+    const auto judged = [&](const std::string& method, const std::string& precision) {
+        return run(folder, {"filters", "check", method, "worked", "--view", "phi-0", "--width", "32",
+                            "--height", "32", "--picture", "mine.png", "--precision", precision});
+    };
+    const Ran right = judged("trilinear-gl:bias=1", "output=srgb8");
+    EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
+    EXPECT_EQ(judged("trilinear-gl:bias=1", "colour_bits=24").exit_code, 1);
+    EXPECT_EQ(judged("trilinear-gl", "output=srgb8").exit_code, 1);
 }
 
 TEST(Filters, WordsAboutAStudyAreHeldAgainstIt) {

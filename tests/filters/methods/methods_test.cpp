@@ -68,7 +68,8 @@ TEST_P(EveryMethod, ReadsStoredTexelsOnly) {
 
 /// The shares of what is stored sum to 1, so that they need no tolerance but that of their sum.
 TEST_P(EveryMethod, StoresMeansOfTheTexture) {
-    for (const MipKernel kernel : {MipKernel::box, MipKernel::polyphase, MipKernel::lanczos3}) {
+    for (const MipKernel kernel :
+         {MipKernel::box, MipKernel::polyphase, MipKernel::lanczos3, MipKernel::kaiser3}) {
         const Sampler sampler = method().prepare(random_image(20, 9, 1), {.mip_kernel = kernel});
         for (const StoredImage& image : sampler.stored) {
             double sum = 0;
@@ -82,11 +83,13 @@ TEST_P(EveryMethod, StoresMeansOfTheTexture) {
 /// Absolute weights of bicubic and of Lanczos chains sum to less than 2 an axis.
 TEST_P(EveryMethod, KeepsAConstant) {
     const glm::vec4 value{0.25f, 0.5f, 1, 0.75f};
-    for (const MipKernel kernel : {MipKernel::box, MipKernel::polyphase, MipKernel::lanczos3}) {
+    for (const MipKernel kernel :
+         {MipKernel::box, MipKernel::polyphase, MipKernel::lanczos3, MipKernel::kaiser3}) {
         const Sampler sampler = method().prepare(constant_image(37, 64, value), {.mip_kernel = kernel});
         for (std::uint32_t seed = 0; seed < footprints; ++seed) {
             const Footprint f = random_footprint(seed);
-            const double chain = kernel == MipKernel::lanczos3 ? 6 * 4 * 0x1p-24 : 6 * 0x1p-24;
+            const double chain =
+                kernel == MipKernel::lanczos3 || kernel == MipKernel::kaiser3 ? 6 * 4 * 0x1p-24 : 6 * 0x1p-24;
             EXPECT_LE(distance(sampler.colour(f), glm::dvec4{value}),
                       4 * roundings(sampler.taps(f).size()) + chain)
                 << seed;
@@ -234,6 +237,24 @@ TEST(Trilinear, BlendsByTheLogarithmAndOpenImageIoByTheWidth) {
     };
     EXPECT_NEAR(coarser_share("trilinear-gl"), 0.5, 1e-14);
     EXPECT_NEAR(coarser_share("trilinear-oiio"), std::sqrt(2.0) - 1, 1e-14);
+}
+
+/// LOD 1 + f: level 1 alone up to f = 1/4, level 2 alone from 3/4 on, and 2 f - 1/2 of it between.
+TEST(Brilinear, BlendsInTheMiddleHalfOfAnOctaveOnly) {
+    const Sampler sampler = prepared("brilinear", random_image(64, 64, 8));
+    const auto coarser_share = [&](double fraction) {
+        const double texels = std::exp2(1 + fraction);
+        double sum = 0;
+        for (const Tap& tap : sampler.taps(flat_footprint({37.25, 11.5}, {texels, 0}, {0, texels})))
+            sum += tap.image == 2 ? tap.weight : 0;
+        return sum;
+    };
+    EXPECT_EQ(coarser_share(0), 0);
+    EXPECT_EQ(coarser_share(0.2499), 0);
+    EXPECT_NEAR(coarser_share(0.375), 0.25, 1e-14);
+    EXPECT_NEAR(coarser_share(0.5), 0.5, 1e-14);
+    EXPECT_NEAR(coarser_share(0.7), 0.9, 1e-14);
+    EXPECT_EQ(coarser_share(0.7501), 1);
 }
 
 TEST(Anisotropic, OfOneTapIsTrilinear) {

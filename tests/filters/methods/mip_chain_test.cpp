@@ -11,7 +11,8 @@
 namespace zproof::texture {
 namespace {
 
-constexpr MipKernel kernels[] = {MipKernel::box, MipKernel::polyphase, MipKernel::lanczos3};
+constexpr MipKernel kernels[] = {MipKernel::box, MipKernel::polyphase, MipKernel::lanczos3,
+                                 MipKernel::kaiser3};
 constexpr Wrap wraps[] = {Wrap::repeat, Wrap::clamp_to_edge, Wrap::mirrored_repeat};
 constexpr double float_roundoff = 0x1p-24;
 
@@ -115,6 +116,22 @@ TEST(MipChain, LanczosIsTheWindowedSincOfTwelveTexels) {
     EXPECT_NEAR(weight(21), nearest / sum, 1e-15);
     EXPECT_LT(weight(18), 0);
     EXPECT_LT(weight(23), 0);
+}
+
+/// At x = 1/4, 3/4, 5/4, ... the sine is +-sin(pi / 4), so that weights relate as 1, 1/3, -1/5, -1/7, 1/9,
+/// 1/11 times I0(4 sqrt(1 - x^2 / 9)), here by its series: sum (4 - 4 x^2 / 9)^k / k!^2.
+TEST(MipChain, KaiserIsTheWindowedSincOfTwelveTexels) {
+    const auto line = halving(64, MipKernel::kaiser3, Wrap::repeat)[10];
+    ASSERT_EQ(line.size(), 12u);
+    const auto weight = [&](int index) { return std::ranges::find(line, index, &AxisShare::index)->weight; };
+    constexpr double windows[] = {11.166991761128937, 10.131090089183191, 8.277911448778578,
+                                  5.984046494687793,  3.681976589705809,  1.7484743382405645};
+    constexpr double sines[] = {1, 1.0 / 3, -1.0 / 5, -1.0 / 7, 1.0 / 9, 1.0 / 11};
+    for (int k = 0; k < 6; ++k) {
+        EXPECT_NEAR(weight(21 + k) / weight(21), sines[k] * windows[k] / windows[0], 1e-14) << k;
+        EXPECT_NEAR(weight(20 - k), weight(21 + k), 1e-15) << k;
+    }
+    EXPECT_NEAR(weight(21), 0.4430770485828463, 1e-14);
 }
 
 TEST(MipChain, LanczosReachesOverTheEdgeAsItIsTold) {

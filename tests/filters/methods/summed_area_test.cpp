@@ -54,6 +54,15 @@ TEST(SummedArea, SumsOfIntegersAreExact) {
     }
 }
 
+TEST(SummedArea, OfLightThatSumsTo2ToThe28IsKeptAsIntegersAlone) {
+    LinearImage image{2, 1, std::vector<glm::vec4>(2, glm::vec4(0x1p27f, 0, 0, 1))};
+    EXPECT_THROW(SummedArea(image, SatStorage::float64), std::runtime_error);
+    EXPECT_NO_THROW(SummedArea(image, SatStorage::integer));
+    image.at(1, 0).x = std::nextafter(0x1p27f, 0.0f);
+    const SummedArea table(image, SatStorage::float64);
+    EXPECT_EQ(table.sum({0, 1, 1}, {0, 1, 1}).x, 0x1p27);
+}
+
 TEST(SummedArea, IntegersMayWrapRoundAndBeNegative) {
     // 2^27 twice over: sums from the third texel on no longer fit, differences do.
     LinearImage image{5, 1, std::vector<glm::vec4>(5, glm::vec4(0x1p27f, -0x1p27f, 1, -0.25f))};

@@ -31,16 +31,18 @@ constexpr Resolution one{1, 1}, two{2, 1}, small{23, 17};
 
 TEST(PictureMetrics, HaveNamesOfTheirOwnAndADefinition) {
     std::set<std::string_view> names;
-    for (const PictureMetric& metric : picture_metrics()) {
+    for (const PictureMetric& metric : picture_metrics(LightRange::beyond_white)) {
         EXPECT_TRUE(names.insert(metric.name).second) << metric.name;
         EXPECT_FALSE(metric.definition.empty()) << metric.name;
     }
     EXPECT_EQ(find_picture_metric("no such metric"), nullptr);
+    EXPECT_EQ(picture_metrics().size() + 2, names.size());
 }
 
 TEST(PictureMetrics, OfAPictureAndItself) {
     const LinearPicture picture = noise(small, 1);
-    for (const char* name : {"rmse", "mae", "p99", "max", "flip", "bias", "blur", "alias"})
+    for (const char* name :
+         {"rmse", "mae", "p99", "max", "flip", "bias", "blur", "alias", "stops", "flip-tone"})
         EXPECT_NEAR(value(name, picture, picture), 0, 1e-15) << name;
     EXPECT_NEAR(value("ssim", picture, picture), 1, 1e-12);
     EXPECT_EQ(value("psnr", picture, picture), std::numeric_limits<double>::infinity());
@@ -56,6 +58,24 @@ TEST(PictureMetrics, PixelErrorsByHand) {
     EXPECT_NEAR(value("max", candidate, truth), 0.9, 1e-15);
 }
 
+/// A stop is a factor of 2. What is darker than 2^-14 counts as that: black lies one stop below 2^-13.
+TEST(PictureMetrics, StopsByHand) {
+    const LinearPicture truth(one, glm::dvec3{0.25, 8, 0x1p-13}), candidate(one, glm::dvec3{1, 4, -3});
+    EXPECT_NEAR(value("stops", candidate, truth), (2 + 1 + 1) / 3.0, 1e-15);
+    EXPECT_EQ(value("stops", flat(one, glm::dvec3{0}), flat(one, glm::dvec3{0x1p-20})), 0);
+}
+
+/// 1 becomes 1/2, 3 becomes 3/4: FLIP itself would cut both to white.
+TEST(PictureMetrics, TonesBeyondWhiteAreToldApart) {
+    const auto tone = [](double a, double b) {
+        return value("flip-tone", flat(small, glm::dvec3{a}), flat(small, glm::dvec3{b}));
+    };
+    EXPECT_EQ(value("flip", flat(small, glm::dvec3{3}), flat(small, glm::dvec3{1})), 0);
+    EXPECT_NEAR(tone(3, 1), value("flip", flat(small, glm::dvec3{0.75}), flat(small, glm::dvec3{0.5})),
+                1e-15);
+    EXPECT_EQ(tone(-1, 0), 0);
+}
+
 TEST(PictureMetrics, PercentileIsTheNearestRank) {
     LinearPicture candidate = flat({200, 1}, glm::dvec3{0}), truth = candidate;
     for (int x = 0; x < 200; ++x) candidate.at(x, 0).g = (x * 7 % 200 + 1) / 200.0;  // 1 to 200, shuffled
@@ -67,10 +87,10 @@ TEST(PictureMetrics, WhatIsNoNumberIsNeverAGoodValue) {
     LinearPicture candidate = noise(small, 2);
     const LinearPicture truth = candidate;
     candidate.at(3, 4).g = std::numeric_limits<double>::quiet_NaN();
-    for (const char* name : {"rmse", "mae", "max"})
+    for (const char* name : {"rmse", "mae", "max", "stops"})
         EXPECT_EQ(value(name, candidate, truth), std::numeric_limits<double>::infinity()) << name;
     EXPECT_EQ(value("psnr", candidate, truth), -std::numeric_limits<double>::infinity());
-    for (const char* name : {"flip", "ssim", "alias"})
+    for (const char* name : {"flip", "flip-tone", "ssim", "alias"})
         EXPECT_TRUE(std::isnan(value(name, candidate, truth))) << name;
 }
 
@@ -87,7 +107,7 @@ TEST(PictureMetrics, AMaskChoosesPixelsAndChangesNone) {
 }
 
 TEST(PictureMetrics, RefusePicturesOfDifferentSizes) {
-    for (const PictureMetric& metric : picture_metrics())
+    for (const PictureMetric& metric : picture_metrics(LightRange::beyond_white))
         EXPECT_THROW(metric.map(flat(one, glm::dvec3{0}), flat(two, glm::dvec3{0})), std::invalid_argument)
             << metric.name;
 }
