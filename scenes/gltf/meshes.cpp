@@ -158,7 +158,8 @@ class Baker {
         append_normals(placed, primitive, baked_primitive);
         append_uv(primitive, baked_primitive);
         append_color(primitive, baked_primitive);
-        tally_.unmorphed += std::ranges::count_if(targets_of(placed, primitive), displaces_no_vector);
+        tally_.unmorphed +=
+            std::size_t(std::ranges::count_if(targets_of(placed, primitive), displaces_no_vector));
     }
 
     void append_part(const PlacedNode& placed, int index, const gltf::Primitive& primitive,
