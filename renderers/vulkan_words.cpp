@@ -55,14 +55,14 @@ std::string text_of(const VulkanWord& word) { return std::string(word.key) + "="
 
 VulkanSettings vulkan_settings_from_words(const std::string& words) {
     VulkanSettings settings;
-    const std::vector<VulkanWord> known = all_words();
+    const std::vector<VulkanWord> permitted = all_words();
     for (std::size_t at = 0; at < words.size();) {
         const std::size_t end = std::min(words.find(':', at + 1), words.size());
         const std::string typed = words.substr(at + 1, end - at - 1);
-        const auto found = std::ranges::find(known, typed, text_of);
-        if (found == known.end())
+        const auto found = std::ranges::find(permitted, typed, text_of);
+        if (found == permitted.end())
             throw UsageError{"renderer 'vulkan" + words + "': '" + typed + "': expected one of " +
-                             joined(known, ", ", text_of)};
+                             joined(permitted, ", ", text_of)};
         found->set(settings);
         at = end;
     }
