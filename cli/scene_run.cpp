@@ -90,7 +90,7 @@ Frame ask(Renderer& renderer, const ViewRun& view_run) {
 /// What candidate and reference answered, and what the judge said.
 struct JudgedPair {
     RenderedFrame candidate, reference;
-    Verdict& verdict;
+    Verdict& verdict;  ///< its maps of errors go to the viewer's files
 };
 
 /// Asks the oracles, and counts where everybody names the same triangle. Are their frames and pictures kept?

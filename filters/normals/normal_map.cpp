@@ -9,6 +9,8 @@
 namespace zproof::normals {
 
 NormalMap normal_map(const Image& image) {
+    if (!image.light.empty())
+        throw std::runtime_error("samples are floats; expected codes of 8 bits: convert it to a PNG");
     NormalMap map{image.width, image.height, {}};
     for (std::size_t i = 0; i < image.texels.size(); i += 4) {
         const glm::dvec3 code{image.texels[i], image.texels[i + 1], image.texels[i + 2]};

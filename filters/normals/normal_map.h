@@ -18,7 +18,8 @@ struct NormalMap {
     }
 };
 
-/// Codes 0 to 255 are -1 to 1, not sRGB. Throws std::runtime_error where a normal points into the surface.
+/// Codes 0 to 255 are -1 to 1, not sRGB. Throws std::runtime_error where a normal points into the surface, or
+/// samples are floats.
 NormalMap normal_map(const Image& image);
 
 /// The other way round: the nearest codes.

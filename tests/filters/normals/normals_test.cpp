@@ -70,6 +70,9 @@ TEST(NormalMap, IsReadFromCodes) {
     EXPECT_THROW(normal_map(image), std::runtime_error);
     const Image flat{.name = "n", .width = 1, .height = 1, .texels = {128, 128, 255, 255}};
     EXPECT_NEAR(slope(normal_map(flat).at(0, 0)).x, 1 / 255.0, 1e-15);
+    Image of_floats = flat;
+    of_floats.light = {{0, 0, 1, 1}};
+    EXPECT_THROW(normal_map(of_floats), std::runtime_error) << "its codes are those of light";
 }
 
 TEST(NormalMap, OfBumpsSurvivesItsCodes) {
