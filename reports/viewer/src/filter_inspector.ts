@@ -6,15 +6,12 @@ import type {Claim} from './filter_claim';
 import {drawFootprint, spreadAlong} from './filter_drawing';
 import type {Shown} from './filter_drawing';
 import {signed} from './filter_layers';
-import type {Tone} from './filter_layers';
+import type {FilterChoice} from './filter_layers';
 import {asFloats} from './filter_view';
 import type {FilterView, Inspection, Shape} from './filter_view';
 import {counted, grouped, rounded} from './numbers';
 import type {Planes} from './planes';
 import type {PixelInspector} from './subject';
-
-/// What is looked at, beside what, and how it is shown.
-export type FilterChoice = {method: string; other: string; tone: Tone};
 
 /// Where its buttons lead.
 export type FilterWays = {toStory(): void; toOutside(): void};

@@ -2,7 +2,6 @@
 import type {Channels} from './channels';
 import {encoded, errorPalette, fromHex, ground, noNumber, packed, viridis} from './colours';
 import {claimPlanesOf} from './filter_claim';
-import type {FilterChoice} from './filter_inspector';
 import {asFloats, codeOf, planesOf} from './filter_view';
 import type {FilterView} from './filter_view';
 import type {ColourKey, Layer, Painted} from './layers';
@@ -18,6 +17,9 @@ export type Tone = {
     octaves: number;  // the loudest error is 2^-octaves
     grey: boolean;    // errors
 };
+
+/// What is looked at, beside what, and how it is shown.
+export type FilterChoice = {method: string; other: string; tone: Tone};
 
 function pictureLayer(id: string, title: string, needs: string[], tone: Tone, channels: () => Promise<Channels | null>): Layer {
     const gain = 2 ** tone.stops;

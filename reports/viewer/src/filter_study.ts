@@ -2,8 +2,8 @@
 import {Drawer} from './drawer';
 import {element, replaceChildren} from './element';
 import {FilterInspector} from './filter_inspector';
-import type {FilterChoice} from './filter_inspector';
 import {filterLayers, magnitudeCodes, regionColour, tiledId} from './filter_layers';
+import type {FilterChoice} from './filter_layers';
 import {FilterView} from './filter_view';
 import {FilterWalk} from './filter_walk';
 import {RegionTable} from './filter_worst';

@@ -1,5 +1,5 @@
 // From one telling pixel of a filter study to the next.
-import type {FilterChoice} from './filter_inspector';
+import type {FilterChoice} from './filter_layers';
 import type {FilterView} from './filter_view';
 import {worstByRegion} from './filter_worst';
 import {grouped} from './numbers';
