@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "filters/area/pixel_estimate.h"
-#include "filters/area/pixel_pieces.h"
 #include "filters/area/pixel_weight.h"
 #include "filters/area/row_spans.h"
 #include "filters/area/texture_integral.h"
+#include "filters/area/unit_squares.h"
 #include "filters/area/visible.h"
 
 namespace zproof::oracle {
@@ -28,29 +28,12 @@ double widest_half_side() {
     return widest;
 }
 
-struct PixelTruth {
-    glm::dvec3 mean{0};
-    TruthKind kind = TruthKind::background;
-};
+/// What a unit square shows; none where it is not integrated.
+using SquareSight = std::optional<Sight>;
 
-TruthKind kind_of(const Surfaces& surfaces, const Visible& visible) {
-    if (visible.pieces.empty()) return TruthKind::background;
-    return visible.covers && is_one_surface(surfaces, visible.pieces) ? TruthKind::interior
-                                                                      : TruthKind::silhouette;
-}
-
-/// The mean over a pixel; nothing where it would take too long.
-std::optional<PixelTruth> integrated(const Surfaces& surfaces, std::span<const std::uint32_t> candidates,
-                                     const glm::ivec2& pixel, Reconstruction reconstruction) {
-    const Point<double> centre{pixel.x + 0.5, pixel.y + 0.5};
-    const std::optional<Visible> visible = pixel_pieces(surfaces, candidates, centre, reconstruction);
-    if (!visible) return std::nullopt;
-    PixelTruth truth{.kind = kind_of(surfaces, *visible)};
-    for (const Piece& piece : visible->pieces)
-        truth.mean += colour_integral(surfaces.colour(piece.triangle), piece.polygon,
-                                      texels_around(surfaces, piece.triangle, centre), reconstruction);
-    truth.mean /= weight_of(reconstruction).total;
-    return truth;
+TruthKind kind_of(const Surfaces& surfaces, const Sight& sight) {
+    if (sight.triangles.empty()) return TruthKind::background;
+    return sight.covers && is_one_surface(surfaces, sight) ? TruthKind::interior : TruthKind::silhouette;
 }
 
 AreaTruth empty_truth(const View& view) {
@@ -59,28 +42,98 @@ AreaTruth empty_truth(const View& view) {
 }
 
 template <class Work>
-void for_each_row(const View& view, const Work& work) {
-    tbb::parallel_for(tbb::blocked_range<int>{0, view.height, 1}, [&](const tbb::blocked_range<int>& rows) {
-        for (int y = rows.begin(); y != rows.end(); ++y) work(y);
+void for_each_row(int rows, const Work& work) {
+    tbb::parallel_for(tbb::blocked_range<int>{0, rows, 1}, [&](const tbb::blocked_range<int>& range) {
+        for (int y = range.begin(); y != range.end(); ++y) work(y);
     });
 }
 
-void integrate_row(const Surfaces& surfaces, Reconstruction reconstruction, std::span<const Span> spans,
-                   int y, AreaTruth& truth) {
-    RowSweep sweep(spans);
-    for (int x = 0; x < truth.mean.size().width; ++x) {
-        const auto exact = integrated(surfaces, sweep.at(x), {x, y}, reconstruction);
-        truth.kind.at(x, y) = exact ? exact->kind : TruthKind::sampled;
-        if (!exact) continue;
-        truth.mean.at(x, y) = exact->mean;
-        if (exact->kind != TruthKind::background)
-            truth.half_width.at(x, y) = weight_of(reconstruction).error * surfaces.brightest();
+/// Integrates unit squares, some rows at a time, and adds what each has for its pixels to these.
+class Integration {
+  public:
+    Integration(const Surfaces& surfaces, const View& view, Reconstruction reconstruction)
+        : surfaces_(surfaces),
+          reconstruction_(reconstruction),
+          squares_(surfaces, view, reconstruction),
+          each_(std::size_t(squares_.across() * squares_.across())),
+          sights_(squares_.size()),
+          truth_(empty_truth(view)) {}
+
+    AreaTruth truth() {
+        constexpr int rows_at_once = 64;
+        sums_.resize(std::size_t(rows_at_once) * std::size_t(sights_.size().width) * each_);
+        for (int first = 0; first < sights_.size().height; first += rows_at_once) {
+            const int rows = std::min(rows_at_once, sights_.size().height - first);
+            for_each_row(rows, [&](int i) { integrate_row(first + i, i); });
+            for (int i = 0; i < rows; ++i) add_row(first + i, i);
+        }
+        for_each_row(truth_.kind.size().height, [&](int y) {
+            for (int x = 0; x < truth_.kind.size().width; ++x) finish(x, y);
+        });
+        return std::move(truth_);
     }
-}
+
+  private:
+    std::span<glm::dvec3> sums(int column, int i) {
+        const std::size_t square = std::size_t(i) * std::size_t(sights_.size().width) + std::size_t(column);
+        return std::span(sums_).subspan(square * each_, each_);
+    }
+
+    void integrate_row(int row, int i) {
+        RowSweep sweep(squares_.row(row));
+        for (int column = 0; column < sights_.size().width; ++column) {
+            const std::span<glm::dvec3> sums = this->sums(column, i);
+            std::ranges::fill(sums, glm::dvec3(0));
+            const std::optional<Visible> visible = squares_.visible(sweep.at(column), column, row);
+            if (!visible) continue;
+            for (const Piece& piece : visible->pieces)
+                add_colour(surfaces_.colour(piece.triangle), piece.polygon,
+                           squares_.texels_around(piece.triangle, column, row), reconstruction_, sums);
+            sights_.at(column, row).emplace().add(*visible);
+        }
+    }
+
+    /// Of a square's pixels, the last has the square's own column and row.
+    void add_row(int row, int i) {
+        const int across = squares_.across();
+        for (int column = 0; column < sights_.size().width; ++column) {
+            const std::span<const glm::dvec3> sums = this->sums(column, i);
+            for (std::size_t pixel = 0; pixel < sums.size(); ++pixel) {
+                const int x = column + 1 - across + int(pixel) % across,
+                          y = row + 1 - across + int(pixel) / across;
+                const auto [width, height] = truth_.mean.size();
+                if (x >= 0 && x < width && y >= 0 && y < height) truth_.mean.at(x, y) += sums[pixel];
+            }
+        }
+    }
+
+    void finish(int x, int y) {
+        Sight sight;
+        truth_.kind.at(x, y) = TruthKind::sampled;
+        for (int i = 0; i < squares_.across() * squares_.across(); ++i) {
+            const SquareSight& square = sights_.at(x + i % squares_.across(), y + i / squares_.across());
+            if (!square) return;
+            sight.add(*square);
+        }
+        const PixelWeight& weight = weight_of(reconstruction_);
+        truth_.kind.at(x, y) = kind_of(surfaces_, sight);
+        truth_.mean.at(x, y) /= weight.total;
+        if (truth_.kind.at(x, y) != TruthKind::background)
+            truth_.half_width.at(x, y) = weight.error * surfaces_.brightest();
+    }
+
+    const Surfaces& surfaces_;
+    Reconstruction reconstruction_;
+    UnitSquares squares_;
+    std::size_t each_;  ///< pixels that a square counts for
+    Plane<SquareSight> sights_;
+    AreaTruth truth_;
+    std::vector<glm::dvec3> sums_;
+};
 
 /// Estimates every pixel whose kind is `sampled`.
 void estimate(const PixelEstimator& estimator, const View& view, AreaTruth& truth) {
-    for_each_row(view, [&](int y) {
+    for_each_row(view.height, [&](int y) {
         for (int x = 0; x < view.width; ++x) {
             if (truth.kind.at(x, y) != TruthKind::sampled) continue;
             const Estimate e = estimator.at(x, y);
@@ -105,9 +158,7 @@ std::optional<Reconstruction> reconstruction_of(std::string_view letters) {
 
 AreaTruth area_truth(const Scene& scene, const View& view, Reconstruction reconstruction) {
     const Surfaces surfaces(scene, view);
-    const RowSpans spans(surfaces, view, weight_of(reconstruction).half_side);
-    AreaTruth truth = empty_truth(view);
-    for_each_row(view, [&](int y) { integrate_row(surfaces, reconstruction, spans.row(y), y, truth); });
+    AreaTruth truth = Integration(surfaces, view, reconstruction).truth();
     if (std::ranges::count(truth.kind.pixels(), TruthKind::sampled) == 0) return truth;
     const Embree embree(scene);
     estimate(PixelEstimator(surfaces, embree, view, reconstruction), view, truth);
@@ -117,14 +168,16 @@ AreaTruth area_truth(const Scene& scene, const View& view, Reconstruction recons
 Plane<TruthKind> surfaces_around(const Scene& scene, const View& view) {
     const Surfaces surfaces(scene, view);
     const double half_side = widest_half_side();
-    const RowSpans spans(surfaces, view, half_side);
+    const RowSpans spans(surfaces, {.size = {view.width, view.height}, .half_side = half_side});
     Plane<TruthKind> kinds({view.width, view.height});
-    for_each_row(view, [&](int y) {
+    for_each_row(view.height, [&](int y) {
         RowSweep sweep(spans.row(y));
         for (int x = 0; x < view.width; ++x) {
             const auto visible =
                 visible_pieces(surfaces, sweep.at(x), Point<double>{x + 0.5, y + 0.5}, half_side);
-            kinds.at(x, y) = visible ? kind_of(surfaces, *visible) : TruthKind::silhouette;
+            Sight sight;
+            if (visible) sight.add(*visible);
+            kinds.at(x, y) = visible ? kind_of(surfaces, sight) : TruthKind::silhouette;
         }
     });
     return kinds;

@@ -1,11 +1,8 @@
 #include "filters/area/area_weights.h"
 
-#include <algorithm>
-
-#include "filters/area/pixel_pieces.h"
 #include "filters/area/pixel_weight.h"
-#include "filters/area/row_spans.h"
 #include "filters/area/texture_integral.h"
+#include "filters/area/unit_squares.h"
 
 namespace zproof::oracle {
 
@@ -13,17 +10,16 @@ using namespace area;
 
 struct AreaWeights::Parts {
     Surfaces surfaces;
-    RowSpans spans;
+    UnitSquares squares;
     Reconstruction reconstruction;
 
     Parts(const Scene& scene, const View& view, Reconstruction how)
-        : surfaces(scene, view), spans(surfaces, view, weight_of(how).half_side), reconstruction(how) {}
+        : surfaces(scene, view), squares(surfaces, view, how), reconstruction(how) {}
 
-    /// The triangles whose spans of the row hold x, in ascending order.
-    std::vector<std::uint32_t> candidates(int x, int y) const {
-        RowSweep sweep(spans.row(y));
-        const std::span<const std::uint32_t> found = sweep.at(x);
-        return {found.begin(), found.end()};
+    /// What a square shows of its triangles; nothing where it is not integrated.
+    std::optional<Visible> visible(int column, int row) const {
+        RowSweep sweep(squares.row(row));
+        return squares.visible(sweep.at(column), column, row);
     }
 };
 
@@ -33,20 +29,23 @@ AreaWeights::AreaWeights(const Scene& scene, const View& view, Reconstruction re
 AreaWeights::~AreaWeights() = default;
 
 std::optional<std::vector<TexelWeight>> AreaWeights::at(int x, int y) const {
-    const Point<double> centre{x + 0.5, y + 0.5};
-    const Surfaces& surfaces = parts_->surfaces;
-    const std::optional<Visible> visible =
-        pixel_pieces(surfaces, parts_->candidates(x, y), centre, parts_->reconstruction);
-    if (!visible) return std::nullopt;
-    const double total = weight_of(parts_->reconstruction).total;
+    const auto& [surfaces, squares, reconstruction] = *parts_;
+    const int squares_of_pixel = squares.across() * squares.across();
+    const double total = weight_of(reconstruction).total;
     std::vector<TexelWeight> weights;
-    for (const Piece& piece : visible->pieces) {
-        if (surfaces.colour(piece.triangle).image == nullptr) continue;
-        const int material = surfaces.material(piece.triangle);
-        visit_weights(piece.polygon, texels_around(surfaces, piece.triangle, centre), parts_->reconstruction,
-                      [&](const Cell& cell, double weight) {
-                          weights.push_back({material, cell.column, cell.row, weight / total});
-                      });
+    for (int i = 0; i < squares_of_pixel; ++i) {
+        const int column = x + i % squares.across(), row = y + i / squares.across();
+        const std::optional<Visible> visible = parts_->visible(column, row);
+        if (!visible) return std::nullopt;
+        for (const Piece& piece : visible->pieces) {
+            if (surfaces.colour(piece.triangle).image == nullptr) continue;
+            const int material = surfaces.material(piece.triangle);
+            // Of a pixel's first square, the pixel is the last.
+            visit_weights(piece.polygon, squares.texels_around(piece.triangle, column, row), reconstruction,
+                          squares_of_pixel - 1 - i, [&](const Cell& cell, double weight) {
+                              weights.push_back({material, cell.column, cell.row, weight / total});
+                          });
+        }
     }
     return weights;
 }

@@ -1,6 +1,8 @@
 /// Integrals of 1, s, t and s t over a convex piece of the image, where (s, t) is the place within one cell
-/// of the texture: all that a bilinear surface needs.
+/// of the texture: all that a bilinear surface needs. Each for every pixel that the piece counts for.
 #pragma once
+
+#include <array>
 
 #include "filters/area/pixel_weight.h"
 #include "filters/area/polygon.h"
@@ -9,33 +11,44 @@
 
 namespace zproof::oracle::area {
 
+/// A number for each pixel that a unit square counts for, row by row.
+template <int across>
+using EachPixel = std::array<double, std::size_t(across* across)>;
+
 /// px^2.
+template <int across>
 struct BilinearMoments {
-    double one = 0, s = 0, t = 0, st = 0;
+    EachPixel<across> one{}, s{}, t{}, st{};
 };
 
-/// Texel coordinates as quotients: s = S / W in [0, 1], t = T / W likewise. By a rule of degree 5 on pieces
-/// of nearly constant W: each moment's error is at most 3e-9 of the area (docs/area-integral.md,
-/// "Bilinear").
-BilinearMoments bilinear_moments(const Polygon<double>& piece, const Homography<double>& cell);
+/// Texel coordinates as quotients: s = S / W in [0, 1], t = T / W likewise. The piece lies in one of the
+/// weight's blocks, in offsets from the unit square's middle. Under a weight of 1, each moment's error is at
+/// most 3e-9 of the area (docs/area-integral.md, "Bilinear"), else that of the weight ("Weights").
+template <int across>
+BilinearMoments<across> bilinear_moments(const Polygon<double>& piece, const Homography<double>& cell,
+                                         const PixelWeight& weight);
 
-/// The moments under a weight, by its rule: for a piece of one of its blocks, in offsets from the pixel's
-/// centre (docs/area-integral.md, "Weights").
-BilinearMoments weighted_moments(const Polygon<double>& piece, const Homography<double>& cell,
-                                 const PixelWeight& weight);
-
-/// The moments over whole cells, as a series in the slopes p, q of Z per cell: terms left out are smaller
-/// than 1e-12.
+/// The moments over whole cells: under a weight of 1 as a series in the slopes p, q of Z per cell, whose left
+/// out terms are smaller than 1e-12, else by Gauss's rule of two or three points along s and along t.
+template <int across>
 class WholeCellMoments {
   public:
-    explicit WholeCellMoments(const TexelLattice<double>& lattice) : lattice_(lattice) {}
+    /// All must outlive it; these columns of a row are asked for.
+    WholeCellMoments(const Homography<double>& map, const TexelLattice<double>& lattice,
+                     const PixelWeight& weight, std::int64_t row, std::int64_t first, std::int64_t last);
 
-    /// Is the series good for these columns of a row?
-    bool holds_for(std::int64_t row, std::int64_t first, std::int64_t last) const;
-    BilinearMoments of(const Cell& cell) const;
+    /// Are the cells small enough?
+    bool hold() const { return hold_; }
+    BilinearMoments<across> of(const Cell& cell) const;
 
   private:
+    double step_px(std::int64_t row, std::int64_t first, std::int64_t last, double least_z) const;
+
+    const Homography<double>& map_;
     const TexelLattice<double>& lattice_;
+    const PixelWeight& weight_;
+    bool hold_ = false;
+    std::span<const GaussNode> rule_{};
 };
 
 }  // namespace zproof::oracle::area

@@ -20,16 +20,18 @@ Limits limits(const Polygon<double>& polygon, double Point<double>::*axis) {
     return range;
 }
 
-/// The first and the last of n pixels whose square of half-side reach meets the range.
-std::pair<int, int> pixels_meeting(const Limits& range, double reach, int n) {
-    const double first = std::ceil(range.low - 0.5 - reach), last = std::floor(range.high - 0.5 + reach);
+/// The first and the last of n squares along an axis that meet the range.
+std::pair<int, int> squares_meeting(const Limits& range, const SquareGrid& squares, int n) {
+    const double first = std::ceil(range.low - squares.first - squares.half_side),
+                 last = std::floor(range.high - squares.first + squares.half_side);
     return {int(std::clamp(first, 0.0, double(n))), int(std::clamp(last, -1.0, n - 1.0))};
 }
 
-/// What the image, widened by reach, shows of a triangle.
+/// What all squares show of a triangle.
 Polygon<double> visible_part(const SeenTriangle<double>& t, const Surfaces::NearFarRange& range,
-                             const View& view, double reach) {
-    const double left = 0.5 - reach, right = view.width - left, bottom = view.height - left;
+                             const SquareGrid& squares) {
+    const double left = squares.first - squares.half_side, beyond = squares.first + squares.half_side - 1;
+    const double right = squares.size.width + beyond, bottom = squares.size.height + beyond;
     Polygon<double> polygon{{left, left}, {right, left}, {right, bottom}, {left, bottom}};
     for (const Affine<double>& edge : t.edge) polygon = cut(polygon, edge).inside;
     polygon = cut(polygon, t.inverse_depth - Affine<double>{0, 0, range.farthest}).inside;
@@ -38,18 +40,22 @@ Polygon<double> visible_part(const SeenTriangle<double>& t, const Surfaces::Near
 
 }  // namespace
 
-RowSpans::RowSpans(const Surfaces& surfaces, const View& view, double reach_px)
-    : rows_(std::size_t(view.height)) {
+RowSpans::RowSpans(const Surfaces& surfaces, const SquareGrid& squares)
+    : rows_(std::size_t(squares.size.height)) {
     for (std::uint32_t id = 0; id < surfaces.triangle_count(); ++id) {
         if (!surfaces.seen(id)) continue;
-        const Polygon<double> part = visible_part(*surfaces.seen(id), surfaces.range(), view, reach_px);
+        const Polygon<double> part = visible_part(*surfaces.seen(id), surfaces.range(), squares);
         if (part.size() < 3) continue;
-        const auto [top, bottom] = pixels_meeting(limits(part, &Point<double>::y), reach_px, view.height);
+        const auto [top, bottom] =
+            squares_meeting(limits(part, &Point<double>::y), squares, squares.size.height);
         for (int y = top; y <= bottom; ++y) {
-            const Polygon<double> below = cut(part, Affine<double>{0, 1, reach_px - 0.5 - y}).inside;
-            const Polygon<double> strip = cut(below, Affine<double>{0, -1, y + 0.5 + reach_px}).inside;
+            const Polygon<double> below =
+                cut(part, Affine<double>{0, 1, squares.half_side - squares.first - y}).inside;
+            const Polygon<double> strip =
+                cut(below, Affine<double>{0, -1, y + squares.first + squares.half_side}).inside;
             if (strip.size() < 3) continue;
-            const auto [first, last] = pixels_meeting(limits(strip, &Point<double>::x), reach_px, view.width);
+            const auto [first, last] =
+                squares_meeting(limits(strip, &Point<double>::x), squares, squares.size.width);
             if (first <= last) rows_[std::size_t(y)].push_back({id, first, last});
         }
     }

@@ -1,10 +1,11 @@
-/// Which triangles each row of pixels has to do with, and where.
+/// Which triangles each row of squares has to do with, and where.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "filters/area/surfaces.h"
+#include "frame/plane.h"
 
 namespace zproof::oracle::area {
 
@@ -14,11 +15,17 @@ struct Span {
     int first = 0, last = 0;
 };
 
+/// Squares whose middles are 1 px apart.
+struct SquareGrid {
+    Resolution size;
+    double first = 0.5;  ///< the raster x, and y, of the first one's middle
+    double half_side;
+};
+
 class RowSpans {
   public:
-    /// reach_px: half the side of the square around a pixel's centre that must not miss a triangle (but for
-    /// slivers that rounding takes).
-    RowSpans(const Surfaces& surfaces, const View& view, double reach_px);
+    /// No triangle that a square shows is missed, but for slivers that rounding takes.
+    RowSpans(const Surfaces& surfaces, const SquareGrid& squares);
 
     /// The spans of a row in the order of `first`, then of triangles.
     std::span<const Span> row(int y) const { return rows_[std::size_t(y)]; }

@@ -25,9 +25,9 @@ Affine<Number> from_line(const Affine<Number>& u, std::int64_t k, const Affine<N
     return u - Number(double(k)) * w;
 }
 
-/// Areas of whole texels from the image's inverse: (x, y, 1) / W = M^-1 (u, v, 1), of which only the last
-/// coordinate Z = 1 / W is needed. A triangle with homogeneous corners p_i has area |det(p0 p1 p2)| /
-/// (2 z0 z1 z2); a texel is two of them, and z00 + z11 = z01 + z10.
+/// Places and areas of whole texels from the image's inverse: (x, y, 1) / W = M^-1 (u, v, 1), whose last
+/// coordinate is Z = 1 / W. A triangle with homogeneous corners p_i has area |det(p0 p1 p2)| / (2 z0 z1 z2);
+/// a texel is two of them, and z00 + z11 = z01 + z10.
 template <class Number>
 class TexelLattice {
   public:
@@ -37,6 +37,8 @@ class TexelLattice {
                      minor_1 = u.a * v.b - u.b * v.a;
         const Number det = minor_u * u.c + minor_v * v.c + minor_1 * w.c;
         if (det == 0) return;  // a texture seen edge-on has no whole texels
+        x_ = {(v.b * w.c - v.c * w.b) / det, (w.b * u.c - w.c * u.b) / det, (u.b * v.c - u.c * v.b) / det};
+        y_ = {(v.c * w.a - v.a * w.c) / det, (w.c * u.a - w.a * u.c) / det, (u.c * v.a - u.a * v.c) / det};
         z_ = {minor_u / det, minor_v / det, minor_1 / det};
         half_per_det_ = (det < 0 ? Number(-1) : Number(1)) / (Number(2) * det);
     }
@@ -46,6 +48,11 @@ class TexelLattice {
     /// |d(x, y) / d(u, v)| times Z^3.
     Number per_det() const { return Number(2) * half_per_det_; }
     Number z(std::int64_t u, std::int64_t v) const { return z_.at(Number(double(u)), Number(double(v))); }
+    /// Where the image shows (u, v).
+    Point<Number> place(const Number& u, const Number& v) const {
+        const Number z = z_.at(u, v);
+        return {x_.at(u, v) / z, y_.at(u, v) / z};
+    }
 
     /// visit(cell, area) for the columns [first, last) of a row.
     template <class Visit>
@@ -59,7 +66,7 @@ class TexelLattice {
     }
 
   private:
-    Affine<Number> z_{};
+    Affine<Number> x_{}, y_{}, z_{};
     Number half_per_det_ = 0;
 };
 

@@ -69,4 +69,17 @@ std::span<const Node> rule_of_degree_10() {
     return rule;
 }
 
+std::span<const GaussNode> gauss_of_two() {
+    static const double off = std::sqrt(1.0 / 12);
+    static const std::array<GaussNode, 2> rule{{{0.5 - off, 0.5}, {0.5 + off, 0.5}}};
+    return rule;
+}
+
+std::span<const GaussNode> gauss_of_three() {
+    static const double off = std::sqrt(3.0 / 20);
+    static const std::array<GaussNode, 3> rule{
+        {{0.5 - off, 5.0 / 18}, {0.5, 4.0 / 9}, {0.5 + off, 5.0 / 18}}};
+    return rule;
+}
+
 }  // namespace zproof::oracle::area

@@ -1,4 +1,4 @@
-/// Rules that integrate polynomials over a triangle exactly.
+/// Rules that integrate polynomials over a triangle or an interval exactly.
 #pragma once
 
 #include <span>
@@ -18,5 +18,14 @@ std::span<const Node> rule_of_degree_8();
 
 /// Degree 10, twenty-five nodes (Dunavant 1985). All weights are positive.
 std::span<const Node> rule_of_degree_10();
+
+/// A node of an interval from 0 to 1, and its share.
+struct GaussNode {
+    double place, weight;
+};
+
+/// Gauss's rules of two and of three points: degrees 3 and 5.
+std::span<const GaussNode> gauss_of_two();
+std::span<const GaussNode> gauss_of_three();
 
 }  // namespace zproof::oracle::area

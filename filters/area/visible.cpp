@@ -131,12 +131,24 @@ std::optional<Visible> visible_pieces(const Surfaces& surfaces, std::span<const 
     return visible;
 }
 
-bool is_one_surface(const Surfaces& surfaces, std::span<const Piece> pieces) {
-    std::vector<std::uint32_t> apart, linked;
-    for (const Piece& p : pieces) {
-        if (surfaces.material(p.triangle) != surfaces.material(pieces[0].triangle)) return false;
-        if (apart.empty() || apart.back() != p.triangle) apart.push_back(p.triangle);
-    }
+void Sight::add(const Visible& visible) {
+    covers = covers && visible.covers;
+    for (const Piece& p : visible.pieces)
+        if (triangles.empty() || triangles.back() != p.triangle) triangles.push_back(p.triangle);
+}
+
+void Sight::add(const Sight& other) {
+    covers = covers && other.covers;
+    for (const std::uint32_t triangle : other.triangles)
+        if (triangles.empty() || triangles.back() != triangle) triangles.push_back(triangle);
+}
+
+bool is_one_surface(const Surfaces& surfaces, const Sight& sight) {
+    std::vector<std::uint32_t> apart(sight.triangles.begin(), sight.triangles.end()), linked;
+    std::ranges::sort(apart);
+    apart.erase(std::ranges::unique(apart).begin(), apart.end());
+    for (const std::uint32_t triangle : apart)
+        if (surfaces.material(triangle) != surfaces.material(apart[0])) return false;
     linked.assign(1, apart.back());
     apart.pop_back();
     for (std::size_t next = 0; next < linked.size(); ++next) {

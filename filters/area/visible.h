@@ -1,6 +1,7 @@
 /// What a small square of the image sees: convex pieces of triangles, cut exactly where one hides another.
 #pragma once
 
+#include <boost/container/small_vector.hpp>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,7 +27,16 @@ struct Visible {
 std::optional<Visible> visible_pieces(const Surfaces& surfaces, std::span<const std::uint32_t> candidates,
                                       const Point<double>& centre, double half_side);
 
+/// What one square sees, or several together.
+struct Sight {
+    bool covers = true;
+    boost::container::small_vector<std::uint32_t, 4> triangles{};  ///< some more than once
+
+    void add(const Visible& visible);
+    void add(const Sight& other);
+};
+
 /// Are the triangles seen of one material, and linked by shared edges?
-bool is_one_surface(const Surfaces& surfaces, std::span<const Piece> pieces);
+bool is_one_surface(const Surfaces& surfaces, const Sight& sight);
 
 }  // namespace zproof::oracle::area

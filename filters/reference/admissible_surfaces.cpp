@@ -167,7 +167,8 @@ float depth_of(const area::Surfaces& surfaces, const View& view, PrimitiveId id,
 AdmissibleSurfaces::AdmissibleSurfaces(const Scene& scene, const View& view, const FilterPrecision& precision)
     : rows_(std::size_t(view.height)) {
     const area::Surfaces surfaces{scene, view};
-    const area::RowSpans spans{surfaces, view, precision.displacement_px + farthest_px};
+    const area::RowSpans spans{
+        surfaces, {.size = {view.width, view.height}, .half_side = precision.displacement_px + farthest_px}};
     tbb::parallel_for(0, view.height, [&](int y) {
         TrianglesOfRow triangles{scene, view, precision};
         area::RowSweep sweep{spans.row(y)};

@@ -7,6 +7,7 @@
 
 #include "filters/area/area_integral.h"
 #include "filters/area/bilinear_moments.h"
+#include "filters/area/pixel_weight.h"
 #include "filters/area/surfaces.h"
 #include "filters/area/texel_walk.h"
 #include "filters/area/triangle_rules.h"
@@ -138,19 +139,64 @@ Polygon<double> cell_in_image(const Homography<double>& map, const Cell& cell) {
 TEST(BilinearMoments, OfWholeCellsAreThoseOfTheirPolygons) {
     const Homography<double> map{{0.9, 0.2, 0.3}, {-0.3, 1.1, 0.1}, {0.002, 0.0015, 1}};
     const TexelLattice<double> lattice(map);
-    const WholeCellMoments whole(lattice);
-    ASSERT_TRUE(whole.holds_for(-3, -2, 3));
+    const PixelWeight& box = weight_of(Reconstruction::bilinear);
+    const WholeCellMoments<1> whole(map, lattice, box, -3, -2, 3);
+    ASSERT_TRUE(whole.hold());
     for (const Cell cell : {Cell{-2, -3}, Cell{1, -3}, Cell{2, -3}}) {
         const Homography<double> within{from_line(map.u, cell.column, map.w),
                                         from_line(map.v, cell.row, map.w), map.w};
-        const BilinearMoments a = whole.of(cell), b = bilinear_moments(cell_in_image(map, cell), within);
-        EXPECT_NEAR(a.one, b.one, 3e-9 * b.one);
-        EXPECT_NEAR(a.s, b.s, 3e-9 * b.one);
-        EXPECT_NEAR(a.t, b.t, 3e-9 * b.one);
-        EXPECT_NEAR(a.st, b.st, 3e-9 * b.one);
-        EXPECT_GT(std::abs(a.s / a.one - 0.5), 1e-4);  // or nothing was asked of the slopes
+        const BilinearMoments a = whole.of(cell),
+                              b = bilinear_moments<1>(cell_in_image(map, cell), within, box);
+        EXPECT_NEAR(a.one[0], b.one[0], 3e-9 * b.one[0]);
+        EXPECT_NEAR(a.s[0], b.s[0], 3e-9 * b.one[0]);
+        EXPECT_NEAR(a.t[0], b.t[0], 3e-9 * b.one[0]);
+        EXPECT_NEAR(a.st[0], b.st[0], 3e-9 * b.one[0]);
+        EXPECT_GT(std::abs(a.s[0] / a.one[0] - 0.5), 1e-4);  // or nothing was asked of the slopes
     }
-    EXPECT_FALSE(whole.holds_for(-3, -2, 300));
+    EXPECT_FALSE((WholeCellMoments<1>(map, lattice, box, -3, -2, 300).hold()));
+}
+
+/// A step along u, and one along v, take |dx| + |dy| of `step_px` or a little less.
+Homography<double> cells_of(double step_px) {
+    const double per_px = 1 / step_px;
+    return {{per_px, 0.01 * per_px, 3.3}, {-0.008 * per_px, 1.02 * per_px, 1.7}, {0.0004, -0.0003, 1}};
+}
+
+template <int across>
+void expect_whole_cells_of_their_polygons(Reconstruction what, double step_px, double share) {
+    const PixelWeight& weight = weight_of(what);
+    const Homography<double> map = cells_of(step_px);
+    const TexelLattice<double> lattice(map);
+    const WholeCellMoments<across> whole(map, lattice, weight, 2, -1, 4);
+    ASSERT_TRUE(whole.hold());
+    for (const Cell cell : {Cell{-1, 2}, Cell{0, 2}, Cell{3, 2}}) {
+        const Homography<double> within{from_line(map.u, cell.column, map.w),
+                                        from_line(map.v, cell.row, map.w), map.w};
+        const auto a = whole.of(cell), b = bilinear_moments<across>(cell_in_image(map, cell), within, weight);
+        const double off = share * step_px * step_px;
+        for (std::size_t i = 0; i < a.one.size(); ++i) {
+            EXPECT_NEAR(a.one[i], b.one[i], off) << i;
+            EXPECT_NEAR(a.s[i], b.s[i], off) << i;
+            EXPECT_NEAR(a.t[i], b.t[i], off) << i;
+            EXPECT_NEAR(a.st[i], b.st[i], off) << i;
+        }
+        EXPECT_GT(std::abs(a.one[0] - a.one[1]), 100 * off);  // or all pixels have one weight
+    }
+}
+
+/// Shares of the cell's area. Steps of 1/8 px are the longest that Gauss's three points take, of 1/64 px its
+/// two.
+TEST(BilinearMoments, OfWholeCellsUnderAWeightAreThoseOfTheirPolygons) {
+    for (const double step_px : {0x1p-3, 0x1p-6}) {
+        const double shorter = 0.96 * step_px;
+        expect_whole_cells_of_their_polygons<2>(Reconstruction::gaussian, shorter, 3e-7);
+        expect_whole_cells_of_their_polygons<3>(Reconstruction::blackman_harris, shorter, 3e-7);
+        expect_whole_cells_of_their_polygons<4>(Reconstruction::mitchell, shorter, 3e-7);
+    }
+    const Homography<double> map = cells_of(0x1.1p-3);
+    EXPECT_FALSE(
+        (WholeCellMoments<4>(map, TexelLattice<double>(map), weight_of(Reconstruction::mitchell), 2, -1, 4)
+             .hold()));
 }
 
 double factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }

@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 
-#include "filters/area/pixel_weight.h"
 #include "oracle/povray.h"
 #include "tests/oracle/scenes_at_random.h"
 #include "textured_plane.h"
+#include "weight_at.h"
 
 namespace zproof::oracle {
 
@@ -38,7 +38,7 @@ double weighted(const Picture& picture, const glm::ivec2& pixel, const glm::dvec
         for (int dx = -reach; dx < reach; ++dx) {
             const glm::dvec2 offset = (glm::dvec2(dx, dy) + 0.5 + shift) / double(side);
             if (std::max(std::abs(offset.x), std::abs(offset.y)) > weight.half_side) continue;
-            const double counts = weight.at == nullptr ? 1 : weight.at({offset.x, offset.y});
+            const double counts = area::weight_at(weight, offset.x, offset.y);
             sum += counts * double(picture.at(middle.x + dx, middle.y + dy).g);
             total += counts;
         }
