@@ -42,8 +42,8 @@ AreaTruth empty_truth(const View& view) {
 }
 
 template <class Work>
-void for_each_row(int rows, const Work& work) {
-    tbb::parallel_for(tbb::blocked_range<int>{0, rows, 1}, [&](const tbb::blocked_range<int>& range) {
+void for_each_row(int first, int beyond, const Work& work) {
+    tbb::parallel_for(tbb::blocked_range<int>{first, beyond, 1}, [&](const tbb::blocked_range<int>& range) {
         for (int y = range.begin(); y != range.end(); ++y) work(y);
     });
 }
@@ -56,48 +56,54 @@ class Integration {
           reconstruction_(reconstruction),
           squares_(surfaces, view, reconstruction),
           each_(std::size_t(squares_.across() * squares_.across())),
-          sights_(squares_.size()),
-          truth_(empty_truth(view)) {}
+          sights_({squares_.size().width, rows_at_once + squares_.across() - 1}),
+          truth_(empty_truth(view)) {
+        sums_.resize(std::size_t(rows_at_once) * std::size_t(squares_.size().width) * each_);
+    }
 
     AreaTruth truth() {
-        constexpr int rows_at_once = 64;
-        sums_.resize(std::size_t(rows_at_once) * std::size_t(sights_.size().width) * each_);
-        for (int first = 0; first < sights_.size().height; first += rows_at_once) {
-            const int rows = std::min(rows_at_once, sights_.size().height - first);
-            for_each_row(rows, [&](int i) { integrate_row(first + i, i); });
-            for (int i = 0; i < rows; ++i) add_row(first + i, i);
+        const int rows = squares_.size().height, before = squares_.across() - 1;
+        for (int first = 0; first < rows; first += rows_at_once) {
+            const int beyond = std::min(first + rows_at_once, rows);
+            for_each_row(first, beyond, [&](int row) { integrate_row(row); });
+            for (int row = first; row < beyond; ++row) add_row(row);
+            for_each_row(std::max(first - before, 0), beyond - before, [&](int y) { finish_row(y); });
         }
-        for_each_row(truth_.kind.size().height, [&](int y) {
-            for (int x = 0; x < truth_.kind.size().width; ++x) finish(x, y);
-        });
         return std::move(truth_);
     }
 
   private:
-    std::span<glm::dvec3> sums(int column, int i) {
-        const std::size_t square = std::size_t(i) * std::size_t(sights_.size().width) + std::size_t(column);
+    static constexpr int rows_at_once = 64;
+
+    /// What was seen in rows before these is kept as long as pixels need it.
+    SquareSight& sight(int column, int row) { return sights_.at(column, row % sights_.size().height); }
+
+    std::span<glm::dvec3> sums(int column, int row) {
+        const std::size_t square =
+            std::size_t(row % rows_at_once) * std::size_t(squares_.size().width) + std::size_t(column);
         return std::span(sums_).subspan(square * each_, each_);
     }
 
-    void integrate_row(int row, int i) {
+    void integrate_row(int row) {
         RowSweep sweep(squares_.row(row));
-        for (int column = 0; column < sights_.size().width; ++column) {
-            const std::span<glm::dvec3> sums = this->sums(column, i);
+        for (int column = 0; column < squares_.size().width; ++column) {
+            const std::span<glm::dvec3> sums = this->sums(column, row);
             std::ranges::fill(sums, glm::dvec3(0));
+            sight(column, row).reset();
             const std::optional<Visible> visible = squares_.visible(sweep.at(column), column, row);
             if (!visible) continue;
             for (const Piece& piece : visible->pieces)
                 add_colour(surfaces_.colour(piece.triangle), piece.polygon,
                            squares_.texels_around(piece.triangle, column, row), reconstruction_, sums);
-            sights_.at(column, row).emplace().add(*visible);
+            sight(column, row).emplace().add(*visible);
         }
     }
 
     /// Of a square's pixels, the last has the square's own column and row.
-    void add_row(int row, int i) {
+    void add_row(int row) {
         const int across = squares_.across();
-        for (int column = 0; column < sights_.size().width; ++column) {
-            const std::span<const glm::dvec3> sums = this->sums(column, i);
+        for (int column = 0; column < squares_.size().width; ++column) {
+            const std::span<const glm::dvec3> sums = this->sums(column, row);
             for (std::size_t pixel = 0; pixel < sums.size(); ++pixel) {
                 const int x = column + 1 - across + int(pixel) % across,
                           y = row + 1 - across + int(pixel) / across;
@@ -107,16 +113,20 @@ class Integration {
         }
     }
 
+    void finish_row(int y) {
+        for (int x = 0; x < truth_.kind.size().width; ++x) finish(x, y);
+    }
+
     void finish(int x, int y) {
-        Sight sight;
+        Sight seen;
         truth_.kind.at(x, y) = TruthKind::sampled;
         for (int i = 0; i < squares_.across() * squares_.across(); ++i) {
-            const SquareSight& square = sights_.at(x + i % squares_.across(), y + i / squares_.across());
+            const SquareSight& square = sight(x + i % squares_.across(), y + i / squares_.across());
             if (!square) return;
-            sight.add(*square);
+            seen.add(*square);
         }
         const PixelWeight& weight = weight_of(reconstruction_);
-        truth_.kind.at(x, y) = kind_of(surfaces_, sight);
+        truth_.kind.at(x, y) = kind_of(surfaces_, seen);
         truth_.mean.at(x, y) /= weight.total;
         if (truth_.kind.at(x, y) != TruthKind::background)
             truth_.half_width.at(x, y) = weight.error * surfaces_.brightest();
@@ -133,7 +143,7 @@ class Integration {
 
 /// Estimates every pixel whose kind is `sampled`.
 void estimate(const PixelEstimator& estimator, const View& view, AreaTruth& truth) {
-    for_each_row(view.height, [&](int y) {
+    for_each_row(0, view.height, [&](int y) {
         for (int x = 0; x < view.width; ++x) {
             if (truth.kind.at(x, y) != TruthKind::sampled) continue;
             const Estimate e = estimator.at(x, y);
@@ -170,7 +180,7 @@ Plane<TruthKind> surfaces_around(const Scene& scene, const View& view) {
     const double half_side = widest_half_side();
     const RowSpans spans(surfaces, {.size = {view.width, view.height}, .half_side = half_side});
     Plane<TruthKind> kinds({view.width, view.height});
-    for_each_row(view.height, [&](int y) {
+    for_each_row(0, view.height, [&](int y) {
         RowSweep sweep(spans.row(y));
         for (int x = 0; x < view.width; ++x) {
             const auto visible =

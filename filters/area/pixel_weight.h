@@ -44,8 +44,8 @@ using AxisWeights = std::array<double, most_across>;
 struct PixelWeight {
     double half_side = 0.5;  ///< of the square beyond which nothing counts
     int across = 1;          ///< twice that
-    /// At offsets from the middle of a unit square, -0.5 to 0.5 along one axis, the factors of the weights for
-    /// `across` pixels, from the first to the last, whose centres are 1 px apart; null: 1.
+    /// At offsets from the middle of a unit square, -0.5 to 0.5 along one axis, the factors of the weights
+    /// for `across` pixels, from the first to the last, whose centres are 1 px apart; null: 1.
     void (*along)(std::span<const double> offsets, AxisWeights* factors) = nullptr;
     double at_rim = 0;  ///< what is taken from the product of both axes' factors
     std::vector<WeightBlock> blocks{{square(0.5)}};

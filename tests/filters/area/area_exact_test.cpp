@@ -319,6 +319,18 @@ TEST(AreaIntegral, SurfacesAroundAPixelDoNotDependOnTheTruth) {
         EXPECT_EQ(around.pixels()[i], widest.kind.pixels()[i]) << i;
 }
 
+/// Taller than the rows that are integrated at once.
+TEST(AreaIntegral, KindsFollowAnEdgeDownATallView) {
+    const Scene scene = painted({{3, -80, -1}, {-3, 80, -1}, {-80, 0, -1}});
+    const View view = unit_pixels(8, 150);
+    const Plane<TruthKind> around = surfaces_around(scene, view);
+    const AreaTruth widest = area_truth(scene, view, Reconstruction::mitchell);
+    for (std::size_t i = 0; i < around.pixels().size(); ++i)
+        EXPECT_EQ(around.pixels()[i], widest.kind.pixels()[i]) << i;
+    for (const TruthKind kind : {TruthKind::background, TruthKind::interior, TruthKind::silhouette})
+        EXPECT_GT(std::ranges::count(around.pixels(), kind), 100);
+}
+
 TEST(AreaIntegral, TooManyTrianglesAreEstimated) {
     Corners corners;
     for (int i = 0; i < 40; ++i) {
