@@ -10,8 +10,6 @@ namespace {
 /// r = (W_max - W_min) / (W_max + W_min) over a piece on which a rule is used.
 constexpr double most_variation = 0x1p-8;
 
-constexpr std::size_t most_nodes = 25;
-
 /// Sums nodes of rules under the weights of all pixels.
 template <int across>
 class WeightedNodes {

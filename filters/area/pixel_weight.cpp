@@ -14,7 +14,7 @@ namespace {
 
 Draw drawn_from_square(const glm::dvec2& unit) { return {unit - 0.5}; }
 
-/// exp(-v), v from 0 to 2, to 1e-12 of itself: a series at v / 64, which the compiler does for several v.
+/// exp(-v), v from 0 to 2, to 1e-12 of itself: a series at v / 64.
 double exp_of_minus(double v) {
     const double w = v / 64;
     const double by_1 =
@@ -23,9 +23,15 @@ double exp_of_minus(double v) {
     return by_16 * by_16 * (by_16 * by_16);
 }
 
-/// exp(-2 r^2) is a product of these. A unit square's corners are pixels' centres.
-AxisWeights gaussian_along(double x) {
-    return {exp_of_minus(2 * (x + 0.5) * (x + 0.5)), exp_of_minus(2 * (x - 0.5) * (x - 0.5))};
+/// exp(-2 r^2) is a product of these. A unit square's corners are pixels' centres. Sums of one pixel stand
+/// side by side, so that the compiler does several at once.
+void gaussian_along(std::span<const double> offsets, AxisWeights* factors) {
+    std::array<double, most_nodes> first, second;
+    for (std::size_t i = 0; i < offsets.size(); ++i) {
+        first[i] = exp_of_minus(2 * (offsets[i] + 0.5) * (offsets[i] + 0.5));
+        second[i] = exp_of_minus(2 * (offsets[i] - 0.5) * (offsets[i] - 0.5));
+    }
+    for (std::size_t i = 0; i < offsets.size(); ++i) factors[i] = {first[i], second[i]};
 }
 
 template <AxisWeights (*along)(double)>
@@ -236,7 +242,7 @@ const PixelWeight& weight_of(Reconstruction reconstruction) {
     static const PixelWeight gaussian =
         summed({.half_side = 1,
                 .across = 2,
-                .along = each_along<gaussian_along>,
+                .along = gaussian_along,
                 .at_rim = std::exp(-2.0),
                 .blocks = disk_blocks(),
                 .rules = {{0.05, rule_of_degree_5()}, {any_side, rule_of_degree_8()}},

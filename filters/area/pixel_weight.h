@@ -38,14 +38,15 @@ struct WeightBlock {
     bool counts_for(int pixel) const { return (pixels >> pixel & 1) != 0; }
 };
 
-inline constexpr std::size_t most_across = 4;
+inline constexpr std::size_t most_across = 4, most_nodes = 25;  ///< of a rule
 using AxisWeights = std::array<double, most_across>;
 
 struct PixelWeight {
     double half_side = 0.5;  ///< of the square beyond which nothing counts
     int across = 1;          ///< twice that
     /// At offsets from the middle of a unit square, -0.5 to 0.5 along one axis, the factors of the weights
-    /// for `across` pixels, from the first to the last, whose centres are 1 px apart; null: 1.
+    /// for `across` pixels, from the first to the last, whose centres are 1 px apart; null: 1. At most
+    /// most_nodes offsets.
     void (*along)(std::span<const double> offsets, AxisWeights* factors) = nullptr;
     double at_rim = 0;  ///< what is taken from the product of both axes' factors
     std::vector<WeightBlock> blocks{{square(0.5)}};

@@ -23,60 +23,40 @@ EachPixel<across> mass(const Polygon<double>& piece, const PixelWeight& weight) 
     }
 }
 
-/// Walks texels: visit(cell, what each pixel's sum gets of it).
-template <int across, class Visit>
-struct NearestTexels {
-    const Visit& visit;
-    Homography<double> map;
+/// Texels of one colour under a weight of 1, which are exact.
+template <class Sink>
+struct WholeTexels {
+    Sink& sink;
     Cell base;
-    const PixelWeight& weight;
 
-    void tell(const Cell& cell, const EachPixel<across>& masses) const {
-        visit(Cell{base.column + cell.column, base.row + cell.row}, masses);
+    void tell(const Cell& cell, double area) const {
+        sink.texel({base.column + cell.column, base.row + cell.row}, {area});
     }
-    void part(const Cell& cell, const Polygon<double>& polygon) const {
-        tell(cell, mass<across>(polygon, weight));
-    }
-    bool takes(const TexelLattice<double>& lattice, std::int64_t row, std::int64_t first,
-               std::int64_t last) const {
-        return across == 1 || WholeCellMoments<across>(map, lattice, weight, row, first, last).hold();
-    }
+    void part(const Cell& cell, const Polygon<double>& polygon) const { tell(cell, area_of(polygon)); }
+    bool takes(const TexelLattice<double>&, std::int64_t, std::int64_t, std::int64_t) const { return true; }
     void whole(const TexelLattice<double>& lattice, std::int64_t row, std::int64_t first,
                std::int64_t last) const {
-        if constexpr (across == 1) {
-            lattice.visit_run(row, first, last, [&](const Cell& cell, double area) { tell(cell, {area}); });
-        } else {
-            const WholeCellMoments<across> moments(map, lattice, weight, row, first, last);
-            for (std::int64_t k = first; k < last; ++k) tell({k, row}, moments.of({k, row}).one);
-        }
+        lattice.visit_run(row, first, last, [&](const Cell& cell, double area) { tell(cell, area); });
     }
 };
 
-/// Walks bilinear patches; cell (k, l) lies between the centres of texels (k, l) and (k + 1, l + 1).
-template <int across, class Visit>
-struct BilinearPatches {
-    const Visit& visit;
+/// Texels, or the patches between the centres of texels (k, l) and (k + 1, l + 1), by their moments.
+template <int across, class Sink>
+struct MeasuredCells {
+    Sink& sink;
     Homography<double> map;
     Cell base;
     const PixelWeight& weight;
+    bool are_texels;
 
-    void add(const Cell& cell, const BilinearMoments<across>& m) const {
-        EachPixel<across> low_left, low_right, high_left;
-        for (std::size_t i = 0; i < low_left.size(); ++i) {
-            low_left[i] = m.one[i] - m.s[i] - m.t[i] + m.st[i];
-            low_right[i] = m.s[i] - m.st[i];
-            high_left[i] = m.t[i] - m.st[i];
-        }
-        const std::int64_t column = base.column + cell.column, row = base.row + cell.row;
-        visit(Cell{column, row}, low_left);
-        visit(Cell{column + 1, row}, low_right);
-        visit(Cell{column, row + 1}, high_left);
-        visit(Cell{column + 1, row + 1}, m.st);
+    void tell(const Cell& cell, const BilinearMoments<across>& m) const {
+        const Cell there{base.column + cell.column, base.row + cell.row};
+        are_texels ? sink.texel(there, m.one) : sink.patch(there, m);
     }
     void part(const Cell& cell, const Polygon<double>& polygon) const {
         const Homography<double> within{from_line(map.u, cell.column, map.w),
                                         from_line(map.v, cell.row, map.w), map.w};
-        add(cell, bilinear_moments<across>(polygon, within, weight));
+        tell(cell, bilinear_moments<across>(polygon, within, weight));
     }
     bool takes(const TexelLattice<double>& lattice, std::int64_t row, std::int64_t first,
                std::int64_t last) const {
@@ -85,40 +65,61 @@ struct BilinearPatches {
     void whole(const TexelLattice<double>& lattice, std::int64_t row, std::int64_t first,
                std::int64_t last) const {
         const WholeCellMoments<across> moments(map, lattice, weight, row, first, last);
-        for (std::int64_t k = first; k < last; ++k) add({k, row}, moments.of({k, row}));
+        for (std::int64_t k = first; k < last; ++k) tell({k, row}, moments.of({k, row}));
     }
 };
 
-template <template <int, class> class Texels, int across, class Visit>
-void walk(const Polygon<double>& piece, const Homography<double>& texels, const PixelWeight& weight,
-          const Visit& visit) {
-    const auto [map, base] = rebased(texels, piece[0]);
-    Texels<across, Visit> cells{visit, map, base, weight};
-    TexelWalk<double, Texels<across, Visit>>(map, cells).rows(piece);
+/// Tells the sink what each pixel's sum gets of each texel, or of each patch between four.
+template <int across, class Sink>
+void measure(const Polygon<double>& piece, const Homography<double>& texels, Reconstruction reconstruction,
+             const PixelWeight& weight, Sink& sink) {
+    const bool are_texels = is_of_nearest(reconstruction);
+    const Affine<double> shift = (are_texels ? 0.0 : 0.5) * texels.w;
+    const auto [map, base] = rebased<double>({texels.u - shift, texels.v - shift, texels.w}, piece[0]);
+    if constexpr (across == 1)
+        if (are_texels) {
+            WholeTexels<Sink> cells{sink, base};
+            return TexelWalk<double, WholeTexels<Sink>>(map, cells).rows(piece);
+        }
+    MeasuredCells<across, Sink> cells{sink, map, base, weight, are_texels};
+    TexelWalk<double, MeasuredCells<across, Sink>>(map, cells).rows(piece);
 }
 
-template <int across, class Visit>
-void visit_texels(const Polygon<double>& piece, const Homography<double>& texels,
-                  Reconstruction reconstruction, const PixelWeight& weight, const Visit& visit) {
-    if (is_of_nearest(reconstruction)) return walk<NearestTexels, across>(piece, texels, weight, visit);
-    const Affine<double> half = 0.5 * texels.w;
-    walk<BilinearPatches, across>(piece, {texels.u - half, texels.v - half, texels.w}, weight, visit);
+/// The weights of the four texels around a patch: from the least row, and column, on.
+template <int across>
+std::array<EachPixel<across>, 4> corner_weights(const BilinearMoments<across>& m) {
+    std::array<EachPixel<across>, 4> w;
+    for (std::size_t i = 0; i < m.one.size(); ++i) {
+        w[0][i] = m.one[i] - m.s[i] - m.t[i] + m.st[i];
+        w[1][i] = m.s[i] - m.st[i];
+        w[2][i] = m.t[i] - m.st[i];
+        w[3][i] = m.st[i];
+    }
+    return w;
 }
 
-/// Texels times what they weigh.
+/// Sums texels times what they weigh.
 template <int across>
 class ColourSums {
   public:
     explicit ColourSums(const SurfaceColour& colour) : colour_(colour) {}
 
-    void add(const Cell& cell, const EachPixel<across>& weights) {
-        if (cell.row != row_) row_ = cell.row, row_of_image_ = colour_.row(cell.row);
-        add(colour_.texel(colour_.column(cell.column), row_of_image_), weights);
-    }
     void add(const glm::dvec3& texel, const EachPixel<across>& weights) {
         for (glm::length_t c = 0; c < 3; ++c)
             for (std::size_t i = 0; i < weights.size(); ++i)
                 sums_[std::size_t(c)][i] += weights[i] * texel[c];
+    }
+    void texel(const Cell& cell, const EachPixel<across>& weights) {
+        add(colour_.texel(colour_.column(cell.column), row_of(cell.row)), weights);
+    }
+    void patch(const Cell& cell, const BilinearMoments<across>& moments) {
+        const std::array<EachPixel<across>, 4> weights = corner_weights(moments);
+        const int left = colour_.column(cell.column), right = colour_.column(cell.column + 1),
+                  low = row_of(cell.row), high = colour_.row(cell.row + 1);
+        add(colour_.texel(left, low), weights[0]);
+        add(colour_.texel(right, low), weights[1]);
+        add(colour_.texel(left, high), weights[2]);
+        add(colour_.texel(right, high), weights[3]);
     }
     glm::dvec3 of(int pixel) const {
         const auto i = std::size_t(pixel);
@@ -126,10 +127,28 @@ class ColourSums {
     }
 
   private:
+    int row_of(std::int64_t row) {
+        if (row != row_) row_ = row, row_of_image_ = colour_.row(row);
+        return row_of_image_;
+    }
+
     const SurfaceColour& colour_;
     std::int64_t row_ = std::numeric_limits<std::int64_t>::min();
     int row_of_image_ = 0;
     std::array<EachPixel<across>, 3> sums_{};
+};
+
+/// Tells what texels weigh for one pixel instead.
+template <int across>
+struct PixelWeights {
+    std::size_t pixel;
+    const CellVisit& visit;
+
+    void texel(const Cell& cell, const EachPixel<across>& weights) const { visit(cell, weights[pixel]); }
+    void patch(const Cell& cell, const BilinearMoments<across>& moments) const {
+        const std::array<EachPixel<across>, 4> weights = corner_weights(moments);
+        for (int i = 0; i < 4; ++i) texel({cell.column + i % 2, cell.row + i / 2}, weights[std::size_t(i)]);
+    }
 };
 
 /// The intersection of two convex polygons; `by` has its corners in clockwise order (y down).
@@ -161,9 +180,7 @@ void add_colour(const SurfaceColour& colour, const Polygon<double>& piece, const
             if (colour.image == nullptr)
                 colours.add(glm::dvec3(1), mass<across>(part, weight));
             else
-                visit_texels<across>(
-                    part, texels, reconstruction, weight,
-                    [&](const Cell& cell, const EachPixel<across>& masses) { colours.add(cell, masses); });
+                measure<across>(part, texels, reconstruction, weight, colours);
             for (int pixel = 0; pixel < across * across; ++pixel)
                 if (block.counts_for(pixel)) sums[std::size_t(pixel)] += colours.of(pixel);
         });
@@ -176,10 +193,8 @@ void visit_weights(const Polygon<double>& piece, const Homography<double>& texel
     for_across(weight.across, [&]<int across>(std::integral_constant<int, across>) {
         for_each_part(piece, weight, [&](const Polygon<double>& part, const WeightBlock& block) {
             if (!block.counts_for(pixel)) return;
-            visit_texels<across>(part, texels, reconstruction, weight,
-                                 [&](const Cell& cell, const EachPixel<across>& masses) {
-                                     visit(cell, masses[std::size_t(pixel)]);
-                                 });
+            PixelWeights<across> weights{std::size_t(pixel), visit};
+            measure<across>(part, texels, reconstruction, weight, weights);
         });
     });
 }

@@ -17,8 +17,12 @@ class Textures {
         system->attribute("stochastic", level | probe);  // of lookups with a random number
     }
 
+#if OIIO_VERSION_MAJOR < 3
     std::shared_ptr<OIIO::TextureSystem> system{
         OIIO::TextureSystem::create(false), [](OIIO::TextureSystem* s) { OIIO::TextureSystem::destroy(s); }};
+#else
+    std::shared_ptr<OIIO::TextureSystem> system = OIIO::TextureSystem::create(false);
+#endif
     std::vector<OIIO::ustring> files;
 };
 
@@ -37,7 +41,7 @@ OIIO::TextureOpt options_of(const TextureLookup& lookup) {
     options.mipmode = lookup.mip == MipMode::anisotropic ? OIIO::TextureOpt::MipModeAniso
                       : lookup.mip == MipMode::trilinear ? OIIO::TextureOpt::MipModeTrilinear
                                                          : OIIO::TextureOpt::MipModeNoMIP;
-    options.anisotropic = lookup.max_anisotropy;
+    options.anisotropic = static_cast<decltype(options.anisotropic)>(lookup.max_anisotropy);
     options.rnd = lookup.random;
     return options;
 }

@@ -125,7 +125,7 @@ ReportedDepth resolved(std::vector<SeenDepth> seen, Resolve resolve, bool is_per
     if (seen.empty()) return {nowhere, nowhere};
     ReportedDepth range = resolved_certain(seen, resolve, is_perspective);
     std::vector<SeenDepth> certain = seen;
-    std::erase_if(certain, &SeenDepth::may_be_nothing);
+    std::erase_if(certain, [](const SeenDepth& s) { return s.may_be_nothing; });
     if (certain.size() < seen.size()) {  // which of them count is not known: one depth lies among them
         for (const SeenDepth& s : seen) range = {std::min(range.low, s.low), std::max(range.high, s.high)};
         if (!certain.empty() && resolve == Resolve::least)
