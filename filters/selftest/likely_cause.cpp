@@ -67,9 +67,9 @@ void add_wraps(Changes& all) {
     for (const auto& [wrap_u, u] : wraps)
         for (const auto& [wrap_v, v] : wraps)
             all.push_back({.name = std::string{"wraps are "} + u + " along u and " + v + " along v",
-                           .of_scene = [u = wrap_u, v = wrap_v](Scene& scene) {
+                           .of_scene = [along_u = wrap_u, along_v = wrap_v](Scene& scene) {
                                on_textures(scene, [&](Texture& texture) {
-                                   texture.sampler.wrap_u = u, texture.sampler.wrap_v = v;
+                                   texture.sampler.wrap_u = along_u, texture.sampler.wrap_v = along_v;
                                });
                            }});
 }

@@ -98,8 +98,8 @@ bool segment_is_covered(const std::vector<Point>& corners, const std::vector<Set
                 const Rational at_a = f.a * a.x + f.b * a.y + f.c, at_b = f.a * b.x + f.b * b.y + f.c;
                 parts.push_back(at_a / (at_a - at_b));
             }
-    const auto covers = [&, a = a, b = b](const Rational& t) {
-        return is_in_any(sets, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+    const auto covers = [&, from = a, to = b](const Rational& t) {
+        return is_in_any(sets, {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
     };
     return std::ranges::all_of(gaps(parts), covers);
 }

@@ -11,16 +11,16 @@
 namespace zproof {
 namespace {
 
-constexpr std::size_t bary_u = 0, bary_v = 1, uv_u = 2, uv_v = 3, normal_x = 4, position_x = 7;
+constexpr std::size_t bary_u = 0, uv_u = 2, uv_v = 3, normal_x = 4, position_x = 7;
 constexpr std::array projections{Projection::perspective, Projection::parallel};
 
-/// Snaps by up to a step of 1/16 px; 3 u of the depth's rounding, twice, and of float32.
+/// Snaps by up to a step of 1/16 px.
 const Precision coarse = RasterPrecision{.transform = Arithmetic::float64,
                                          .subpixel_bits = 4,
                                          .snap = Snap::truncate,
                                          .interpolation = Arithmetic::float64,
                                          .depth_roundings = 1};
-constexpr double step = 1.0 / 16, rounding = 3 * 0x1p-24;
+constexpr double step = 1.0 / 16;
 
 /// One triangle and a frame of one pixel that shows it, sampled at (0.5, 0.5).
 struct OnePixel {

@@ -115,7 +115,7 @@ TEST(ALabel, PassesExactlyWhereSomeTriangleOfItIsAdmissibleAtThatDepth) {
 /// A wall in front of a wall, and what a frame says of pixel (1, 1).
 class TwoWalls : public testing::TestWithParam<Projection> {
   protected:
-    static constexpr std::uint32_t front = 0, beside = 1, back = 2;
+    static constexpr std::uint32_t front = 0, back = 2;  // 1 stands beside
     TestScene t{GetParam(), 4, 4, {wall_left_of(3.5, 4), wall_right_of(20, 2), wall(8)}};
 
     PixelClass class_of(const TriangleLabels& labels, std::uint32_t label, float depth) {
