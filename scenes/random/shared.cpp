@@ -78,7 +78,10 @@ void add_aligned(Stage& stage, int most) {
         const double step = dice.integer(0, 3) == 0 ? 0.25 : 1;
         return step * glm::floor(raster / step) + (dice.integer(0, 2) == 0 ? 0.0 : 0.5);
     };
-    const auto exact_depth = [&] { return std::ldexp(1 + 0.25 * dice.integer(0, 3), dice.integer(0, 2)); };
+    const auto exact_depth = [&] {
+        const int octave = dice.integer(0, 2);  // before the other: arguments are drawn in any order
+        return std::ldexp(1 + 0.25 * dice.integer(0, 3), octave);
+    };
     for (int left = most; left > 0;) {
         const int spokes = std::min(left, dice.integer(1, 8));
         const double depth = exact_depth();
