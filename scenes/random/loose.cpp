@@ -84,7 +84,8 @@ void add_tiny(Stage& stage, int most) {
     for (int i = 0; i < most; ++i) {
         Place first = stage.place();
         if (stage.once_in(2)) first.raster = glm::floor(first.raster) + 0.5;
-        add_patch(stage, first, stage.dice().binade(-8, 0), stage.once_in(2) ? 0 : share_of_depth);
+        const double share = stage.once_in(2) ? 0 : share_of_depth;
+        add_patch(stage, first, stage.dice().binade(-8, 0), share);
     }
 }
 

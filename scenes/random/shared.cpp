@@ -79,7 +79,7 @@ void add_aligned(Stage& stage, int most) {
         return step * glm::floor(raster / step) + (dice.integer(0, 2) == 0 ? 0.0 : 0.5);
     };
     const auto exact_depth = [&] {
-        const int octave = dice.integer(0, 2);  // before the other: arguments are drawn in any order
+        const int octave = dice.integer(0, 2);
         return std::ldexp(1 + 0.25 * dice.integer(0, 3), octave);
     };
     for (int left = most; left > 0;) {
