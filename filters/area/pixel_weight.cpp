@@ -39,26 +39,6 @@ void each_along(std::span<const double> offsets, AxisWeights* factors) {
     for (const double offset : offsets) *factors++ = along(offset);
 }
 
-/// The squared radius within which lies a share of the Gaussian. With q = r^2, the share is (1 - exp(-2 q)) /
-/// 2 - exp(-2) q over its value at 1. Newton's method starts at 0 and never overshoots, since the share is
-/// concave in q.
-double gaussian_radius_squared(double share) {
-    static const double floor_weight = std::exp(-2.0), all = (1 - floor_weight) / 2 - floor_weight;
-    double q = 0;
-    for (int step = 0; step < 64; ++step) {
-        const double weight = std::exp(-2 * q) - floor_weight;
-        const double missing = share * all - ((1 - std::exp(-2 * q)) / 2 - floor_weight * q);
-        if (!(weight > 0) || !(missing > 0x1p-50)) break;
-        q = std::min(q + missing / weight, 1.0);
-    }
-    return q;
-}
-
-Draw drawn_from_gaussian(const glm::dvec2& unit) {
-    const double radius = std::sqrt(gaussian_radius_squared(unit.x)), angle = 2 * std::numbers::pi * unit.y;
-    return {radius * glm::dvec2{std::cos(angle), std::sin(angle)}};
-}
-
 /// A weight of x times the same of y, even, of one sign up to `turn` and of the other beyond.
 struct Profile {
     double half_side, turn;
@@ -94,7 +74,7 @@ class Distances {
         for (int step = 0; step < 64; ++step) {
             const double missing = share - (profile.mass(x) - from_) / all_;
             (missing > 0 ? low : high) = x;
-            if (std::abs(missing) < 0x1p-50 || high - low < 0x1p-50) break;
+            if (std::abs(missing) < 0x1p-36 || high - low < 0x1p-36) break;
             x += missing * all_ / profile.at(x);
             if (!(x > low && x < high)) x = (low + high) / 2;
         }
@@ -104,6 +84,19 @@ class Distances {
     double from_, all_;
     std::array<double, parts + 1> at_share_;
 };
+
+/// Over squared radii, on which masses under exp(-2 r^2) - exp(-2) have a closed form.
+constexpr double gaussian_floor = 0.13533528323661269;  // exp(-2)
+double gaussian_at(double squared) { return std::exp(-2 * squared) - gaussian_floor; }
+double gaussian_mass(double squared) { return (1 - std::exp(-2 * squared)) / 2 - gaussian_floor * squared; }
+
+constexpr Profile gaussian_profile{1, 1, gaussian_at, gaussian_mass, 0};
+
+Draw drawn_from_gaussian(const glm::dvec2& unit) {
+    static const Distances<gaussian_profile> squared(0, 1);
+    const double radius = std::sqrt(squared.at(unit.x)), angle = 2 * std::numbers::pi * unit.y;
+    return {radius * glm::dvec2{std::cos(angle), std::sin(angle)}};
+}
 
 /// A coordinate, and the weight there over the density of draws.
 struct AxisDraw {
@@ -243,7 +236,7 @@ const PixelWeight& weight_of(Reconstruction reconstruction) {
         summed({.half_side = 1,
                 .across = 2,
                 .along = gaussian_along,
-                .at_rim = std::exp(-2.0),
+                .at_rim = gaussian_floor,
                 .blocks = disk_blocks(),
                 .rules = {{0.05, rule_of_degree_5()}, {any_side, rule_of_degree_8()}},
                 .error = 5.4e-5,
