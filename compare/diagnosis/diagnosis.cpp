@@ -97,10 +97,11 @@ std::string clause_of(std::string sentence) {
 
 class Diagnoser {
   public:
-    Diagnoser(const DiagnosisInput& input, const Verdict& verdict, std::span<const std::string> without)
+    Diagnoser(const DiagnosisInput& input, const Verdict& verdict, std::vector<Hypothesis> hypotheses,
+              std::span<const std::string> without)
         : input_(input),
           defect_set_(input, verdict),
-          hypotheses_(all_hypotheses(input)),
+          hypotheses_(std::move(hypotheses)),
           declared_(as_declared(input, {})),
           description_(input, hypotheses_.size()) {
         std::erase_if(hypotheses_,
@@ -108,8 +109,12 @@ class Diagnoser {
         open_bits_of_right_pixel_ = open_bits_of_right_pixel();
     }
 
-    Diagnosis run(std::span<const EarlierCause> earlier) {
-        if (std::optional<Diagnosis> known = by_earlier(earlier)) return *known;
+    bool knows(const EarlierCause& earlier) const {
+        const auto has_name = [&](const Hypothesis& h) { return h.cause.name == earlier.name; };
+        return std::ranges::any_of(hypotheses_, has_name);
+    }
+
+    Diagnosis run() {
         std::vector<HypothesisTest> first = best_tests();
         Diagnosis diagnosis = without_cause(first);
         if (const std::vector<Explanation> causes = all_causes(first); !causes.empty()) {
@@ -122,15 +127,6 @@ class Diagnoser {
         std::rotate(first.begin(), whole, whole + 1);
         name({first.front().outcome}, first, diagnosis);
         return diagnosis;
-    }
-
-  private:
-    /// One wrong pixel proves no rule that would show all over the frame. What moves triangles shows at
-    /// edges, of this view or of one that it explained.
-    bool may_apply(const Hypothesis& h, std::span<const EarlierCause> earlier) const {
-        const bool is_known = std::ranges::count(earlier, h.cause.name, &EarlierCause::name) > 0;
-        if (h.moves_triangles && !is_known && !input_.said && defect_set_.are_all_depths()) return false;
-        return defect_set_.defect_count() > 1 || h.cell != input_.candidate.frame.size();
     }
 
     /// Nothing where none of them explains this view.
@@ -160,6 +156,15 @@ class Diagnoser {
         Diagnosis diagnosis = without_cause(tests);
         name({tests.front().outcome}, tests, diagnosis);
         return diagnosis;
+    }
+
+  private:
+    /// One wrong pixel proves no rule that would show all over the frame. What moves triangles shows at
+    /// edges, of this view or of one that it explained.
+    bool may_apply(const Hypothesis& h, std::span<const EarlierCause> earlier) const {
+        const bool is_known = std::ranges::count(earlier, h.cause.name, &EarlierCause::name) > 0;
+        if (h.moves_triangles && !is_known && !input_.said && defect_set_.are_all_depths()) return false;
+        return defect_set_.defect_count() > 1 || h.cell != input_.candidate.frame.size();
     }
 
     /// From the first round's claims, while the tests keep what they explain of the second's.
@@ -504,6 +509,21 @@ class Diagnoser {
     std::map<std::tuple<int, int, std::size_t>, double> declared_bits_;
 };
 
+/// By what explained earlier views, if that explains this one; else by all hypotheses.
+Diagnosis diagnosed(const DiagnosisInput& input, const Verdict& verdict, std::span<const std::string> without,
+                    std::span<const EarlierCause> earlier) {
+    if (!earlier.empty()) {
+        Diagnoser quick(input, verdict, hypotheses_without_fitted_cameras(input), without);
+        if (std::ranges::all_of(earlier, [&](const EarlierCause& e) { return quick.knows(e); })) {
+            if (const std::optional<Diagnosis> known = quick.by_earlier(earlier)) return *known;
+            return Diagnoser(input, verdict, all_hypotheses(input), without).run();
+        }
+    }
+    Diagnoser diagnoser(input, verdict, all_hypotheses(input), without);
+    if (const std::optional<Diagnosis> known = diagnoser.by_earlier(earlier)) return *known;
+    return diagnoser.run();
+}
+
 }  // namespace
 
 std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
@@ -518,7 +538,7 @@ std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const Re
     std::optional<Diagnosis> of_attributes = diagnose_attributes(input, verdict);
     if (defect_count(verdict) == verdict.counts[std::size_t(PixelClass::wrong_attribute)])
         return of_attributes;
-    Diagnosis diagnosis = Diagnoser(input, verdict, without).run(earlier);
+    Diagnosis diagnosis = diagnosed(input, verdict, without, earlier);
     const bool has_room = diagnosis.cause && diagnosis.further.size() + 1 < most_causes;
     if (has_room && of_attributes && of_attributes->cause) diagnosis.further.push_back(*of_attributes->cause);
     return diagnosis;

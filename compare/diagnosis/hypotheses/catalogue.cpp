@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -49,12 +50,7 @@ constexpr std::array all_families{Family{Kind::signs, hypotheses_of_signs},
 constexpr std::array families_of_blank_frames{Family{Kind::dropped, hypotheses_of_dropped_triangles},
                                               Family{Kind::parts, hypotheses_of_blank_frames}};
 
-}  // namespace
-
-std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input) {
-    const std::span<const Family> families = is_blank(input.candidate.frame)
-                                                 ? std::span<const Family>(families_of_blank_frames)
-                                                 : std::span<const Family>(all_families);
+std::vector<Hypothesis> hypotheses_of(std::span<const Family> families, const DiagnosisInput& input) {
     std::vector<Hypothesis> all;
     for (const Family& family : families)
         if (family.is_asked(input))
@@ -63,6 +59,21 @@ std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input) {
                 all.push_back(std::move(h));
             }
     return all;
+}
+
+}  // namespace
+
+std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input) {
+    if (is_blank(input.candidate.frame)) return hypotheses_of(families_of_blank_frames, input);
+    return hypotheses_of(all_families, input);
+}
+
+std::vector<Hypothesis> hypotheses_without_fitted_cameras(const DiagnosisInput& input) {
+    if (is_blank(input.candidate.frame)) return all_hypotheses(input);
+    std::vector<Family> quick;
+    std::ranges::remove_copy(all_families, std::back_inserter(quick), &hypotheses_of_fitted_cameras,
+                             &Family::hypotheses);
+    return hypotheses_of(quick, input);
 }
 
 }  // namespace zproof

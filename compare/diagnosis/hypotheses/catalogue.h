@@ -51,5 +51,7 @@ std::vector<Hypothesis> hypotheses_of_blank_frames(const DiagnosisInput& input);
 /// All hypotheses, the more specific first: of two that explain the same, the first is named.
 /// Where a frame shows no triangle, those alone that would leave it blank.
 std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input);
+/// The same without those of fitted cameras, which take longer to make than all others together.
+std::vector<Hypothesis> hypotheses_without_fitted_cameras(const DiagnosisInput& input);
 
 }  // namespace zproof
