@@ -28,6 +28,12 @@ enum class IdSource {
     vertex,       ///< a flat output of the vertex shader; no two triangles share a vertex then
 };
 
+/// What the device interpolates beside depth.
+enum class Values {
+    none,
+    all,  ///< barycentrics, positions, and the uv and normals that the scene has: as with IdSource::vertex
+};
+
 struct VulkanSettings {
     std::string
         device{};  ///< part of its name; empty: graphics cards first, else the first that Vulkan names
@@ -35,6 +41,7 @@ struct VulkanSettings {
     DepthBuffer depth_buffer = DepthBuffer::reversed_z;  ///< reversed_z or standard_z
     PlanesBy planes = PlanesBy::z;                       ///< distances: with depthClamp
     IdSource ids = IdSource::as_there_is;
+    Values attributes = Values::none;
 
     auto operator<=>(const VulkanSettings&) const = default;
 };

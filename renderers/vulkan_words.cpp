@@ -14,6 +14,7 @@ namespace {
 
 using oracle::IdSource;
 using oracle::PlanesBy;
+using oracle::Values;
 using oracle::VulkanSettings;
 
 constexpr std::string_view word_of(PlanesBy planes) { return planes == PlanesBy::z ? "z" : "distances"; }
@@ -21,6 +22,8 @@ constexpr std::string_view word_of(PlanesBy planes) { return planes == PlanesBy:
 constexpr std::string_view word_of(IdSource ids) {
     return ids == IdSource::as_there_is ? "any" : ids == IdSource::primitive ? "primitive" : "vertex";
 }
+
+constexpr std::string_view word_of(Values values) { return values == Values::none ? "none" : "all"; }
 
 /// A key with one of its values.
 struct VulkanWord {
@@ -46,6 +49,7 @@ std::vector<VulkanWord> all_words() {
         "depth_buffer"));
     add(words_for<&VulkanSettings::planes, PlanesBy::z, PlanesBy::distances>("planes"));
     add(words_for<&VulkanSettings::ids, IdSource::as_there_is, IdSource::primitive, IdSource::vertex>("ids"));
+    add(words_for<&VulkanSettings::attributes, Values::none, Values::all>("attributes"));
     return all;
 }
 

@@ -371,6 +371,7 @@ InterpolatedValue interpolated_value(const Surface& surface, const Interpolation
 }
 
 std::optional<WrongAttribute> first_wrong(const SampledSurface& s, const Values& values) {
+    if (s.errors.may_be_anything) return std::nullopt;
     const auto tell = [&](const InterpolatedValue& v) {
         return told_by_range(s, places_of<double>(s), v, scale_of(s.surface, values));
     };

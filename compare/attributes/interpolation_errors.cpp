@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/bounds/raster_bounds.h"
 #include "compare/bounds/ray_bounds.h"
 #include "compare/bounds/roundings.h"
 #include "compare/bounds/window_triangle.h"
@@ -41,17 +42,35 @@ double negative_weights(const RasterPrecision& precision, const Surface& s, doub
     return tolerance * std::max(1.0, depth / s.bounds.nearest);
 }
 
+double of_clipping(const RasterPrecision& precision, const Surface& s) {
+    const bool cuts = precision.edge_functions != EdgeFunctions::homogeneous && is_cut(precision, s);
+    return cuts ? gamma(4 * 6, unit_of(precision.transform)) : 0;
+}
+
+/// A value is the quotient of two planes', of weights times values and of weights. It keeps to no mean.
+InterpolationErrors errors_of_planes(const RasterPrecision& precision, const Surface& s) {
+    const ValuePlanes planes = RasterBounds(s.facts, precision).value_planes(s.facts, s.extent, s.bounds);
+    const double least_weight = s.facts.perspective ? s.least_inverse_depth / planes.largest_weight : 1;
+    if (!std::isfinite(planes.of_values) || !(least_weight > 0)) return {.may_be_anything = true};
+    const double of_quotient = gamma(4, unit_roundoff_float32);
+    return {.relative = relative_of_depth(s) + 2 * planes.of_weights / least_weight + of_quotient +
+                        of_clipping(precision, s),
+            .of_products = unlimited,
+            .of_weights = std::max(planes.of_values / 2, planes.of_weights) / least_weight,
+            .negative = (planes.spread - 1) / 2 / least_weight,
+            .sampled = SampledPlaces::anywhere};
+}
+
 InterpolationErrors errors_of(const RasterPrecision& precision, const Surface& s, double depth) {
+    if (precision.depth_interpolation == DepthInterpolation::plane) return errors_of_planes(precision, s);
     const double mean =
         gamma(precision.depth_roundings, unit_roundoff_float32) + gammas_of(precision.interpolation)[8];
     InterpolationErrors errors{.relative = relative_of_depth(s),
                                .of_products = 2 * mean + unit_roundoff_float32,
                                .negative = negative_weights(precision, s, depth)};
-    if (precision.edge_functions != EdgeFunctions::homogeneous && is_cut(precision, s)) {
-        const double clipping = gamma(4 * 6, unit_of(precision.transform));
-        errors.relative += clipping;
-        errors.of_products += clipping;
-    }
+    const double clipping = of_clipping(precision, s);
+    errors.relative += clipping;
+    errors.of_products += clipping;
     if (precision.area_epsilon_px2 > 0) errors.of_shares = InterpolationErrors::Sum::at_most_one;
     if (has_exact_coverage(precision)) return errors;
     errors.sampled = SampledPlaces::anywhere;
@@ -111,9 +130,10 @@ InterpolationErrors errors_of(const PlaneRayPrecision&, const Surface&, double) 
 }  // namespace
 
 bool promises_attributes(const Precision& precision, Projection projection) {
-    if (const auto* raster = std::get_if<RasterPrecision>(&precision))
-        return raster->depth_interpolation == DepthInterpolation::barycentrics &&
-               (projection == Projection::perspective || raster->edge_functions == EdgeFunctions::exact);
+    if (const auto* raster = std::get_if<RasterPrecision>(&precision)) {
+        if (raster->depth_interpolation == DepthInterpolation::plane) return has_exact_coverage(*raster);
+        return projection == Projection::perspective || raster->edge_functions == EdgeFunctions::exact;
+    }
     if (const auto* bounded = std::get_if<BoundedPrecision>(&precision)) return bounded->depth_relative < 1;
     return !std::holds_alternative<PlaneRayPrecision>(precision);
 }

@@ -15,6 +15,7 @@ struct InterpolationErrors {
     double negative = 0;     ///< what weights as computed may be below 0 in all, as a share of their sum
     enum class Sum { one, at_most_one } of_shares = Sum::one;  ///< what the weights' shares may add up to
     SampledPlaces sampled = SampledPlaces::on_triangle;
+    bool may_be_anything = false;  ///< no number as well: a plane of which rounding may take all the area
 };
 
 /// Does the declaration say how values are interpolated in such a projection?

@@ -72,12 +72,14 @@ void for_each_triangle(std::span<const WindowCorner> polygon, const Act& act) {
 class PlaneEquation {
   public:
     PlaneEquation(const WindowCorner& p0, const WindowCorner& p1, const WindowCorner& p2,
-                  const CornerShift& shift)
+                  const CornerShift& shift, CornerSigns signs)
         : shift_(shift),
           e1_{p0.x - p1.x, p0.y - p1.y},
           e2_{p2.x - p0.x, p2.y - p0.y},
-          rise1_(p0.z - p1.z),
-          rise2_(p2.z - p0.z),
+          signs_(signs),
+          rise1_(rise(p1.z, p0.z)),
+          rise2_(rise(p0.z, p2.z)),
+          span_(std::max({std::abs(rise1_), std::abs(rise2_), std::abs(rise(p1.z, p2.z))})),
           z_max_(std::max({std::abs(p0.z), std::abs(p1.z), std::abs(p2.z)})) {
         x_max_ = std::max({std::abs(p0.x), std::abs(p1.x), std::abs(p2.x)});
         y_max_ = std::max({std::abs(p0.y), std::abs(p1.y), std::abs(p2.y)});
@@ -106,6 +108,9 @@ class PlaneEquation {
         glm::dvec2 a1, a2;
     };
 
+    double rise(double from, double to) const {
+        return signs_ == CornerSigns::known ? to - from : std::abs(to) + std::abs(from);
+    }
     glm::dvec2 widen(const glm::dvec2& e) const {
         return {std::abs(e.x) + 2 * shift_.drift_px, std::abs(e.y) + 2 * shift_.drift_px};
     }
@@ -117,13 +122,14 @@ class PlaneEquation {
     Gradient gradient(double e1, double e2, double a1, double a2, double area) const {
         const double rise1 = std::abs(rise1_) + 2 * corner(), rise2 = std::abs(rise2_) + 2 * corner();
         const double moved = 2 * shift_.drift_px * (rise1 + rise2) + 2 * corner() * (a1 + a2);
-        return {(std::abs(rise1_ * e2 - rise2_ * e1) + moved) / area, (rise1 * a2 + rise2 * a1) / area};
+        const double numerator = signs_ == CornerSigns::known ? std::abs(rise1_ * e2 - rise2_ * e1)
+                                                              : std::abs(rise1_ * e2) + std::abs(rise2_ * e1);
+        return {(numerator + moved) / area, (rise1 * a2 + rise2 * a1) / area};
     }
     /// The error of a corner's z, from division and viewport.
     double corner() const { return gamma(4, u_float32) * std::max(z_max_, shift_.least_z_term); }
 
     double z_error(const View& view, const Shape& s) const {
-        const double span = std::max({std::abs(rise1_), std::abs(rise2_), std::abs(rise1_ + rise2_)});
         const double sixfold = gamma(6, u_float32) * (1 + s.lost);
         const Gradient dx = gradient(e1_.y, e2_.y, s.a1.y, s.a2.y, s.area);
         const Gradient dy = gradient(e1_.x, e2_.x, s.a1.x, s.a2.x, s.area);
@@ -131,7 +137,7 @@ class PlaneEquation {
         const double across = s.a1.x + s.a2.x + reach, down = s.a1.y + s.a2.y + reach;
         const double slope_x = (1 + s.lost) * dx.most + sixfold * dx.terms;
         const double slope_y = (1 + s.lost) * dy.most + sixfold * dy.terms;
-        return s.spread * (corner() + s.lost * span) + sixfold * (dx.terms * across + dy.terms * down) +
+        return s.spread * (corner() + s.lost * span_) + sixfold * (dx.terms * across + dy.terms * down) +
                gamma(8, u_float32) *
                    (z_max_ + slope_x * (x_max_ + view.width) + slope_y * (y_max_ + view.height)) +
                underflow;
@@ -139,7 +145,8 @@ class PlaneEquation {
 
     CornerShift shift_;
     glm::dvec2 e1_, e2_;
-    double rise1_, rise2_, z_max_, x_max_, y_max_;
+    CornerSigns signs_;
+    double rise1_, rise2_, span_, z_max_, x_max_, y_max_;
 };
 
 /// What the weights of one triangle in the window err by.
@@ -248,11 +255,11 @@ std::vector<WindowCorner> window_polygon(const ViewFacts& facts, const TriangleE
 }
 
 PlaneEquationBounds plane_equation_bounds(std::span<const WindowCorner> polygon, const CornerShift& shift,
-                                          const View& view) {
+                                          const View& view, CornerSigns signs) {
     if (polygon.size() < 3) return unknown;
     PlaneEquationBounds worst;
     const auto consider = [&](const WindowCorner& p0, const WindowCorner& p1, const WindowCorner& p2) {
-        const PlaneEquationBounds one = PlaneEquation(p0, p1, p2, shift).bounds(view);
+        const PlaneEquationBounds one = PlaneEquation(p0, p1, p2, shift, signs).bounds(view);
         worst.z_error = std::max(worst.z_error, one.z_error);
         worst.spread = std::max(worst.spread, one.spread);
     };

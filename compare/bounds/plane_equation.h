@@ -39,9 +39,12 @@ struct PlaneEquationBounds {
     double spread = 1;   ///< largest sum of |barycentrics| on what the snapped triangle covers
 };
 
+/// What z is to a plane equation: numbers whose signs are known, or the sizes of numbers of any sign.
+enum class CornerSigns { known, any };
+
 /// The worst of any three corners of the polygon: however it is cut into triangles, they are among them.
 PlaneEquationBounds plane_equation_bounds(std::span<const WindowCorner> polygon, const CornerShift& shift,
-                                          const View& view);
+                                          const View& view, CornerSigns signs = CornerSigns::known);
 
 /// The window grown to the guard band, in units of the image plane.
 Window guard_band_of(const View& view);

@@ -13,6 +13,15 @@
 
 namespace zproof {
 
+/// What plane equations make of values that are interpolated beside depth, in shares of the largest weight. A
+/// corner's weight is its inverse depth; in parallel projections 1.
+struct ValuePlanes {
+    double of_weights = unlimited;  ///< error of the plane through the weights
+    double of_values = unlimited;   ///< of that through weights times values from -1 to 1
+    double spread = 1;              ///< PlaneEquationBounds::spread
+    double largest_weight = 0;
+};
+
 class RasterBounds {
   public:
     RasterBounds(const ViewFacts& facts, const RasterPrecision& precision);
@@ -26,6 +35,9 @@ class RasterBounds {
     double decoding_error(const ViewFacts& facts) const;
     /// Inverse depths of a z in [0, 1]; everything where the buffer holds no z.
     InverseDepthRange storable(const ViewFacts& facts) const;
+    /// The bounds are those of this triangle.
+    ValuePlanes value_planes(const ViewFacts& facts, const TriangleExtent& extent,
+                             const TriangleBounds& bounds) const;
     double background_eps_px() const { return background_eps_px_; }
     double snap_px() const { return snap_px_; }
 

@@ -86,6 +86,8 @@ vk::PhysicalDeviceFeatures features_for(const vk::raii::PhysicalDevice& device,
     require(settings.planes != PlanesBy::distances || has.depthClamp, "depthClamp");
     require(settings.ids != IdSource::primitive || has.geometryShader,
             "geometryShader, so no gl_PrimitiveID");
+    if (settings.ids == IdSource::primitive && settings.attributes == Values::all)
+        throw OracleError("Vulkan: attributes=all needs ids of vertices; expected ids=any or ids=vertex");
     require(format_of(device, settings.depth_format) != vk::Format::eUndefined,
             std::string("depth buffer of ") +
                 (settings.depth_format == DepthFormat::unorm24 ? "24 bits" : "that format"));

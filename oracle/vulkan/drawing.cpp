@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <vector>
 
 namespace zproof::oracle::vulkan {
@@ -44,8 +45,29 @@ std::vector<glm::vec3> corners_last_first(const Scene& scene) {
     return corners;
 }
 
-Buffer new_positions(const Device& device, const Scene& scene, bool own_vertices) {
+/// 0 where the scene has no such values.
+std::vector<VertexValues> values_last_first(const Scene& scene) {
+    const Vertices& v = scene.vertices;
+    std::vector<VertexValues> corners;
+    corners.reserve(3 * scene.triangles.size());
+    for (const glm::uvec3& triangle : last_first(scene))
+        for (int i = 0; i < 3; ++i)
+            corners.push_back({v.position_world[triangle[i]],
+                               v.uv.empty() ? glm::vec2(0) : v.uv.front()[triangle[i]],
+                               v.normal_world.empty() ? glm::vec3(0) : v.normal_world[triangle[i]]});
+    return corners;
+}
+
+std::vector<Attribute> attributes_of(const Scene& scene) {
+    std::vector<Attribute> all{Attribute::barycentrics, Attribute::position};
+    if (!scene.vertices.uv.empty()) all.push_back(Attribute::uv);
+    if (!scene.vertices.normal_world.empty()) all.push_back(Attribute::normal);
+    return all;
+}
+
+Buffer new_vertices(const Device& device, const Scene& scene, bool own_vertices, Values values) {
     constexpr auto usage = vk::BufferUsageFlagBits::eVertexBuffer;
+    if (values == Values::all) return filled(device, values_last_first(scene), usage);
     return own_vertices ? filled(device, corners_last_first(scene), usage)
                         : filled(device, scene.vertices.position_world, usage);
 }
@@ -75,7 +97,12 @@ struct Target {
         : id(device, id_format, size, pipeline.samples(), vk::ImageAspectFlagBits::eColor),
           depth(device, pipeline.depth_format(), size, pipeline.samples(), vk::ImageAspectFlagBits::eDepth),
           framebuffer(nullptr) {
-        const std::array views{id.view(), depth.view()};
+        std::vector views{depth.view(), id.view()};
+        for (int i = 0; i < pipeline.values(); ++i)
+            views.push_back(values
+                                .emplace_back(device, value_format, size, pipeline.samples(),
+                                              vk::ImageAspectFlagBits::eColor)
+                                .view());
         framebuffer = {device.logical(),
                        {.renderPass = pipeline.pass(),
                         .attachmentCount = std::uint32_t(views.size()),
@@ -86,14 +113,15 @@ struct Target {
     }
 
     Image id, depth;
+    std::vector<Image> values;
     vk::raii::Framebuffer framebuffer;
 };
 
 void record_drawing(const vk::raii::CommandBuffer& commands, const IdPipeline& pipeline, const Target& target,
                     const Mesh& mesh, const ClipRows& rows, const vk::Extent2D& size) {
-    std::array<vk::ClearValue, 2> nothing;
-    nothing[0].color = vk::ClearColorValue(std::array<std::uint32_t, 4>{no_id, 0, 0, 0});
-    nothing[1].depthStencil = vk::ClearDepthStencilValue{pipeline.farthest_z(), 0};
+    std::vector<vk::ClearValue> nothing(2 + target.values.size());
+    nothing[0].depthStencil = vk::ClearDepthStencilValue{pipeline.farthest_z(), 0};
+    nothing[1].color = vk::ClearColorValue(std::array<std::uint32_t, 4>{no_id, 0, 0, 0});
     const vk::RenderPassBeginInfo begin{.renderPass = pipeline.pass(),
                                         .framebuffer = *target.framebuffer,
                                         .renderArea = {{0, 0}, size},
@@ -105,7 +133,7 @@ void record_drawing(const vk::raii::CommandBuffer& commands, const IdPipeline& p
     commands.endRenderPass();
 }
 
-/// Values of 32 bits, depths of 16 bits where the format has no more.
+/// Values of 32 bits, or four of them; depths of 16 bits where the format has no more.
 void record_copy(const vk::raii::CommandBuffer& commands, const Image& image, vk::ImageAspectFlagBits aspect,
                  const vk::Extent2D& size, const Buffer& into) {
     const vk::BufferImageCopy all{.imageSubresource = {aspect, 0, 0, 1},
@@ -140,17 +168,43 @@ double z_of_sample(const Buffer& samples, vk::Format format, std::size_t at) {
     return format == vk::Format::eD16Unorm ? std::nearbyint(z * 0xFFFF) / 0xFFFF : z;
 }
 
+/// Which of the images of values has the channel, and where in its four floats: attribute_channels in their
+/// order, no attribute in two images.
+struct ChannelPlace {
+    std::size_t image, component;
+};
+constexpr std::array<ChannelPlace, attribute_channels.size()> channel_places{
+    {{0, 0}, {0, 1}, {0, 2}, {0, 3}, {1, 0}, {1, 1}, {1, 2}, {2, 0}, {2, 1}, {2, 2}}};
+
+Attributes attributes_from(const std::vector<Buffer>& values, const Mesh& mesh, Resolution size) {
+    Attributes attributes;
+    if (values.empty()) return attributes;
+    for (std::size_t c = 0; c < attribute_channels.size(); ++c) {
+        if (std::ranges::count(mesh.attributes(), attribute_channels[c].attribute) == 0) continue;
+        const auto [image, component] = channel_places[c];
+        const std::span<const glm::vec4> texels = values[image].as<glm::vec4>();
+        attributes.planes[c] = Plane<float>::unwritten(size);
+        std::ranges::transform(texels, attributes.planes[c].pixels().begin(),
+                               [&](const glm::vec4& texel) { return texel[int(component)]; });
+    }
+    return attributes;
+}
+
 }  // namespace
 
-Mesh::Mesh(const Device& device, const Scene& scene, bool own_vertices)
+Mesh::Mesh(const Device& device, const Scene& scene, const VulkanSettings& settings)
+    : Mesh(device, scene, ids_are_of_vertices(device, settings), settings.attributes) {}
+
+Mesh::Mesh(const Device& device, const Scene& scene, bool own_vertices, Values values)
     : index_count_(checked_index_count(device, scene, own_vertices)),
-      position_world_(new_positions(device, scene, own_vertices)),
+      attributes_(attributes_of(scene)),
+      vertices_(new_vertices(device, scene, own_vertices, values)),
       index_(new_indices(device, scene, own_vertices)) {}
 
 void Mesh::draw(const vk::raii::CommandBuffer& commands) const {
     if (index_count_ == 0) return;
     constexpr vk::DeviceSize from_its_beginning = 0;
-    commands.bindVertexBuffers(0, position_world_.handle(), from_its_beginning);
+    commands.bindVertexBuffers(0, vertices_.handle(), from_its_beginning);
     commands.bindIndexBuffer(index_.handle(), 0, vk::IndexType::eUint32);
     commands.drawIndexed(index_count_, 1, 0, 0, 0);
 }
@@ -160,11 +214,13 @@ Pixels draw(const Device& device, const IdPipeline& pipeline, const SampleReader
     using Usage = vk::BufferUsageFlagBits;
     const bool copied = pipeline.samples() == vk::SampleCountFlagBits::e1;
     const Target target(device, pipeline, size);
-    const auto new_buffer = [&] {
-        return Buffer(device, size.pixel_count() * sizeof(std::uint32_t),
+    const auto new_buffer = [&](std::size_t bytes_per_pixel) {
+        return Buffer(device, size.pixel_count() * bytes_per_pixel,
                       copied ? Usage::eTransferDst : Usage::eStorageBuffer);
     };
-    const Buffer ids = new_buffer(), depths = new_buffer();
+    const Buffer ids = new_buffer(sizeof(std::uint32_t)), depths = new_buffer(sizeof(std::uint32_t));
+    std::vector<Buffer> values;
+    while (values.size() < target.values.size()) values.push_back(new_buffer(sizeof(glm::vec4)));
     if (!copied) reader.bind(device, target.id, target.depth, ids, depths);
     const vk::Extent2D extent{std::uint32_t(size.width), std::uint32_t(size.height)};
     device.run([&](const vk::raii::CommandBuffer& commands) {
@@ -172,6 +228,8 @@ Pixels draw(const Device& device, const IdPipeline& pipeline, const SampleReader
         if (copied) {
             record_copy(commands, target.id, vk::ImageAspectFlagBits::eColor, extent, ids);
             record_copy(commands, target.depth, vk::ImageAspectFlagBits::eDepth, extent, depths);
+            for (std::size_t i = 0; i < values.size(); ++i)
+                record_copy(commands, target.values[i], vk::ImageAspectFlagBits::eColor, extent, values[i]);
         } else {
             reader.read(commands, size, index);
         }
@@ -183,6 +241,7 @@ Pixels draw(const Device& device, const IdPipeline& pipeline, const SampleReader
     const auto z_at = copied ? z_of_texel : z_of_sample;
     for (std::size_t i = 0; i < size.pixel_count(); ++i)
         pixels.z.pixels()[i] = z_at(depths, pipeline.depth_format(), i);
+    pixels.attributes = attributes_from(values, mesh, size);
     return pixels;
 }
 

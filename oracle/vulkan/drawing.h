@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
+#include "frame/attributes.h"
 #include "frame/plane.h"
 #include "oracle/clip_space.h"
 #include "oracle/vulkan/id_pipeline.h"
@@ -15,23 +17,30 @@ namespace zproof::oracle::vulkan {
 /// A scene's triangles, the last one first.
 class Mesh {
   public:
-    /// With vertices of their own for each triangle where their numbers tell whose they are. Throws
-    /// OracleError where the device cannot count that many.
-    Mesh(const Device& device, const Scene& scene, bool ids_are_of_vertices);
+    /// With vertices of their own for each triangle where their numbers tell whose they are, and with values
+    /// where these are interpolated. Throws OracleError where the device cannot count that many.
+    Mesh(const Device& device, const Scene& scene, const VulkanSettings& settings);
     /// All triangles by one call.
     void draw(const vk::raii::CommandBuffer& commands) const;
     /// The scene's triangle that is drawn at this place, or what a device that errs makes of it.
     std::uint32_t triangle(std::uint32_t drawn) const { return index_count_ / 3 - 1 - drawn; }
 
+    /// What the pipeline's images of values hold that the scene has.
+    const std::vector<Attribute>& attributes() const { return attributes_; }
+
   private:
+    Mesh(const Device& device, const Scene& scene, bool own_vertices, Values values);
+
     std::uint32_t index_count_;
-    Buffer position_world_, index_;
+    std::vector<Attribute> attributes_;
+    Buffer vertices_, index_;
 };
 
 /// As the device has them; row 0 is the top.
 struct Pixels {
     Plane<std::uint32_t> id;
     Plane<double> z;  ///< in [0, 1]
+    Attributes attributes{};
 };
 
 /// Draws into the pipeline's samples and gives that of the index.

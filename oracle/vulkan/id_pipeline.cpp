@@ -1,11 +1,15 @@
 #include "oracle/vulkan/id_pipeline.h"
 
 #include <array>
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "oracle/vulkan/shaders/fragment_shader.h"
+#include "oracle/vulkan/shaders/fragment_shader_with_attributes.h"
 #include "oracle/vulkan/shaders/fragment_shader_with_vertex_id.h"
 #include "oracle/vulkan/shaders/vertex_shader.h"
+#include "oracle/vulkan/shaders/vertex_shader_with_attributes.h"
 #include "oracle/vulkan/shaders/vertex_shader_with_id.h"
 
 namespace zproof::oracle::vulkan {
@@ -26,20 +30,26 @@ vk::AttachmentDescription attachment(vk::Format format, vk::SampleCountFlagBits 
             .finalLayout = afterwards};
 }
 
-/// Clears both images, draws, and leaves them to be copied, or to be read by a shader where they have several
-/// samples.
-vk::raii::RenderPass new_pass(const Device& device, vk::Format depth, vk::SampleCountFlagBits samples) {
+/// Clears all images, draws, and leaves them to be copied, or to be read by a shader where they have several
+/// samples. Depth is the first, ids the second, values the others.
+vk::raii::RenderPass new_pass(const Device& device, vk::Format depth, vk::SampleCountFlagBits samples,
+                              int values) {
     using Layout = vk::ImageLayout;
     const bool copied = samples == vk::SampleCountFlagBits::e1;
-    const std::array attachments{
-        attachment(id_format, samples, copied ? Layout::eTransferSrcOptimal : Layout::eShaderReadOnlyOptimal),
+    std::vector attachments{
         attachment(depth, samples,
-                   copied ? Layout::eTransferSrcOptimal : Layout::eDepthStencilReadOnlyOptimal)};
-    const vk::AttachmentReference id{0, Layout::eColorAttachmentOptimal},
-        z{1, Layout::eDepthStencilAttachmentOptimal};
+                   copied ? Layout::eTransferSrcOptimal : Layout::eDepthStencilReadOnlyOptimal),
+        attachment(id_format, samples,
+                   copied ? Layout::eTransferSrcOptimal : Layout::eShaderReadOnlyOptimal)};
+    attachments.resize(attachments.size() + std::size_t(values),
+                       attachment(value_format, samples, Layout::eTransferSrcOptimal));
+    const vk::AttachmentReference z{0, Layout::eDepthStencilAttachmentOptimal};
+    std::vector<vk::AttachmentReference> colours;
+    for (std::uint32_t i = 1; i < attachments.size(); ++i)
+        colours.push_back({i, Layout::eColorAttachmentOptimal});
     const vk::SubpassDescription drawing{.pipelineBindPoint = vk::PipelineBindPoint::eGraphics,
-                                         .colorAttachmentCount = 1,
-                                         .pColorAttachments = &id,
+                                         .colorAttachmentCount = std::uint32_t(colours.size()),
+                                         .pColorAttachments = colours.data(),
                                          .pDepthStencilAttachment = &z};
     const vk::SubpassDependency read_afterwards{
         .srcSubpass = 0,
@@ -73,24 +83,40 @@ vk::PipelineDepthStencilStateCreateInfo depth_test(DepthBuffer buffer) {
                                                                 : vk::CompareOp::eLessOrEqual};
 }
 
+struct Shaders {
+    vk::raii::ShaderModule vertex, fragment;
+};
+
+Shaders shaders_for(const Device& device, const VulkanSettings& settings) {
+    if (settings.attributes == Values::all)
+        return {shader_module(device, vertex_shader_with_attributes),
+                shader_module(device, fragment_shader_with_attributes)};
+    if (ids_are_of_vertices(device, settings))
+        return {shader_module(device, vertex_shader_with_id),
+                shader_module(device, fragment_shader_with_vertex_id)};
+    return {shader_module(device, vertex_shader), shader_module(device, fragment_shader)};
+}
+
 /// All that does not change from one pipeline to the next is said here.
 vk::raii::Pipeline new_pipeline(const Device& device, const VulkanSettings& settings,
                                 vk::SampleCountFlagBits samples, const vk::raii::RenderPass& pass,
                                 const vk::raii::PipelineLayout& layout) {
-    const bool of_vertices = ids_are_of_vertices(device, settings);
-    const vk::raii::ShaderModule vertex =
-        of_vertices ? shader_module(device, vertex_shader_with_id) : shader_module(device, vertex_shader);
-    const vk::raii::ShaderModule fragment = of_vertices
-                                                ? shader_module(device, fragment_shader_with_vertex_id)
-                                                : shader_module(device, fragment_shader);
+    const bool with_values = settings.attributes == Values::all;
+    const auto [vertex, fragment] = shaders_for(device, settings);
     const std::array stages{stage(vk::ShaderStageFlagBits::eVertex, vertex),
                             stage(vk::ShaderStageFlagBits::eFragment, fragment)};
-    const vk::VertexInputBindingDescription corners{0, sizeof(glm::vec3), vk::VertexInputRate::eVertex};
-    const vk::VertexInputAttributeDescription p_world{0, 0, vk::Format::eR32G32B32Sfloat, 0};
-    const vk::PipelineVertexInputStateCreateInfo input{.vertexBindingDescriptionCount = 1,
-                                                       .pVertexBindingDescriptions = &corners,
-                                                       .vertexAttributeDescriptionCount = 1,
-                                                       .pVertexAttributeDescriptions = &p_world};
+    const vk::VertexInputBindingDescription corners{
+        0, std::uint32_t(with_values ? sizeof(VertexValues) : sizeof(glm::vec3)),
+        vk::VertexInputRate::eVertex};
+    constexpr std::array<vk::VertexInputAttributeDescription, 3> of_vertex{
+        {{0, 0, vk::Format::eR32G32B32Sfloat, offsetof(VertexValues, p_world)},
+         {1, 0, vk::Format::eR32G32Sfloat, offsetof(VertexValues, uv)},
+         {2, 0, vk::Format::eR32G32B32Sfloat, offsetof(VertexValues, normal_world)}}};
+    const vk::PipelineVertexInputStateCreateInfo input{
+        .vertexBindingDescriptionCount = 1,
+        .pVertexBindingDescriptions = &corners,
+        .vertexAttributeDescriptionCount = with_values ? std::uint32_t(of_vertex.size()) : 1,
+        .pVertexAttributeDescriptions = of_vertex.data()};
     const vk::PipelineInputAssemblyStateCreateInfo triangles{.topology =
                                                                  vk::PrimitiveTopology::eTriangleList};
     const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
@@ -100,8 +126,12 @@ vk::raii::Pipeline new_pipeline(const Device& device, const VulkanSettings& sett
         .lineWidth = 1};
     const vk::PipelineMultisampleStateCreateInfo multisample{.rasterizationSamples = samples};
     const vk::PipelineDepthStencilStateCreateInfo depth = depth_test(settings.depth_buffer);
-    const vk::PipelineColorBlendAttachmentState red{.colorWriteMask = vk::ColorComponentFlagBits::eR};
-    const vk::PipelineColorBlendStateCreateInfo ids{.attachmentCount = 1, .pAttachments = &red};
+    using Component = vk::ColorComponentFlagBits;
+    const std::vector<vk::PipelineColorBlendAttachmentState> written(
+        with_values ? 1 + value_images : 1,
+        {.colorWriteMask = Component::eR | Component::eG | Component::eB | Component::eA});
+    const vk::PipelineColorBlendStateCreateInfo unblended{.attachmentCount = std::uint32_t(written.size()),
+                                                          .pAttachments = written.data()};
     constexpr std::array set_later{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic{.dynamicStateCount = std::uint32_t(set_later.size()),
                                                      .pDynamicStates = set_later.data()};
@@ -113,7 +143,7 @@ vk::raii::Pipeline new_pipeline(const Device& device, const VulkanSettings& sett
                                              .pRasterizationState = &rasterizer,
                                              .pMultisampleState = &multisample,
                                              .pDepthStencilState = &depth,
-                                             .pColorBlendState = &ids,
+                                             .pColorBlendState = &unblended,
                                              .pDynamicState = &dynamic,
                                              .layout = *layout,
                                              .renderPass = *pass};
@@ -123,6 +153,7 @@ vk::raii::Pipeline new_pipeline(const Device& device, const VulkanSettings& sett
 }  // namespace
 
 bool ids_are_of_vertices(const Device& device, const VulkanSettings& settings) {
+    if (settings.attributes == Values::all) return true;
     if (settings.ids == IdSource::as_there_is) return !device.physical().getFeatures().geometryShader;
     return settings.ids == IdSource::vertex;
 }
@@ -135,7 +166,8 @@ IdPipeline::IdPipeline(const Device& device, const VulkanSettings& settings, vk:
     : samples_(samples),
       depth_format_(format_of(device.physical(), settings.depth_format)),
       farthest_z_(settings.depth_buffer == DepthBuffer::reversed_z ? 0 : 1),
-      pass_(new_pass(device, depth_format_, samples)),
+      values_(settings.attributes == Values::all ? value_images : 0),
+      pass_(new_pass(device, depth_format_, samples, values_)),
       layout_(new_layout(device)),
       pipeline_(new_pipeline(device, settings, samples, pass_, layout_)) {}
 

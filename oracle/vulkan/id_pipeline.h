@@ -8,7 +8,17 @@
 
 namespace zproof::oracle::vulkan {
 
-inline constexpr vk::Format id_format = vk::Format::eR32Uint;
+inline constexpr vk::Format id_format = vk::Format::eR32Uint, value_format = vk::Format::eR32G32B32A32Sfloat;
+
+/// Images of four floats: barycentrics and uv, the normal, the position.
+inline constexpr int value_images = 3;
+
+/// A vertex as the pipeline with attributes reads it; without, the place alone.
+struct VertexValues {
+    glm::vec3 p_world;
+    glm::vec2 uv;
+    glm::vec3 normal_world;
+};
 
 /// The push constants of oracle/vulkan/shaders/ids.vert.
 struct ClipRowsPushed {
@@ -24,6 +34,7 @@ class IdPipeline {
     vk::SampleCountFlagBits samples() const { return samples_; }
     vk::Format depth_format() const { return depth_format_; }
     float farthest_z() const { return farthest_z_; }  ///< where nothing is drawn
+    int values() const { return values_; }            ///< images of values beside the ids
     /// The viewport is the whole image.
     void bind(const vk::raii::CommandBuffer& commands, const vk::Extent2D& size,
               const ClipRowsPushed& rows) const;
@@ -32,6 +43,7 @@ class IdPipeline {
     vk::SampleCountFlagBits samples_;
     vk::Format depth_format_;
     float farthest_z_;
+    int values_;
     vk::raii::RenderPass pass_;
     vk::raii::PipelineLayout layout_;
     vk::raii::Pipeline pipeline_;

@@ -21,7 +21,7 @@ using vulkan::Pixels;
 
 /// z is that of the farthest where nothing was drawn; background has no depth. Anything else is handed on for
 /// the judge to see.
-Frame to_frame(const Pixels& pixels, const Camera& camera, DepthBuffer buffer) {
+Frame to_frame(Pixels pixels, const Camera& camera, DepthBuffer buffer) {
     const DepthFromZ depth_from(camera, buffer);
     const double farthest_z = buffer == DepthBuffer::reversed_z ? 0 : 1;
     Frame frame(pixels.id.size());
@@ -33,6 +33,7 @@ Frame to_frame(const Pixels& pixels, const Camera& camera, DepthBuffer buffer) {
             if (id != PrimitiveId::none || z != farthest_z) frame.camera_depth.at(x, y) = depth_from(z);
         }
     });
+    frame.attributes = std::move(pixels.attributes);
     return frame;
 }
 
@@ -56,9 +57,7 @@ struct VulkanDriver::State {
                             {view.width, view.height}, view.sample.index);
     }
 
-    vulkan::Mesh mesh(const Scene& scene) const {
-        return {device, scene, vulkan::ids_are_of_vertices(device, settings)};
-    }
+    vulkan::Mesh mesh(const Scene& scene) const { return {device, scene, settings}; }
 
     VulkanSettings settings;
     mutable std::mutex one_thread;
@@ -85,6 +84,8 @@ struct VulkanDriver::State {
             throw OracleError(
                 "Vulkan: a depth of 24 bits is read without loss from one sample only; "
                 "expected depth_format=float32 or unorm16");
+        if (count > 1 && settings.attributes == Values::all)
+            throw OracleError("Vulkan: attributes are read from one sample only; expected attributes=none");
     }
 
     const vulkan::IdPipeline& pipeline_for(int samples) const {

@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
+#include "compare/attributes/attribute_check.h"
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"
 #include "scenes/standard_samples.h"
@@ -101,6 +103,61 @@ TEST_F(VulkanSamples, OfOneMultisampledTargetAreProven) {
         expect_proven(verdicts("room", {}, promise({}), sample));
     }
 }
+
+class VulkanAttributes : public oracle::ValidatedVulkan, public testing::WithParamInterface<std::string> {
+  protected:
+    const oracle::VulkanSettings settings{.attributes = oracle::Values::all};
+    const Precision precision = promise(settings);
+    const Loaded loaded = with_values(generate_suite_scene(GetParam(), width, height));
+    const oracle::Embree embree{loaded.scene};
+
+    /// With uv and normals of their own for every vertex.
+    static Loaded with_values(Loaded loaded) {
+        Vertices& v = loaded.scene.vertices;
+        v.uv.assign(1, {});
+        v.normal_world.clear();
+        for (const glm::vec3& p : v.position_world) {
+            v.uv[0].emplace_back(p.x / 4, p.y / 4 + p.z / 8);
+            v.normal_world.push_back(normalize(p + glm::vec3(1, 200, 3)));
+        }
+        return loaded;
+    }
+    std::uint64_t wrong_in(const View& view, const Frame& frame) const {
+        const Verdict verdict =
+            judge(loaded.scene, view, {frame, precision}, {embree.trace(view), oracle::embree_precision()});
+        EXPECT_EQ(defect_count(verdict), verdict.counts[std::size_t(PixelClass::wrong_attribute)]);
+        return defect_count(verdict);
+    }
+};
+
+/// Pixels all over the image with a tenth more are wrong, but where pieces of a triangle are too thin to
+/// tell.
+TEST_P(VulkanAttributes, AreWithinTheirBoundsAndWrongOnesAreNot) {
+    const oracle::Vulkan vulkan(loaded.scene, oracle::VulkanDriver(settings));
+    for (const View& view : loaded.views) {
+        SCOPED_TRACE(view.name);
+        const Frame frame = vulkan.render(view);
+        EXPECT_EQ(wrong_in(view, frame), 0u);
+        EXPECT_EQ(judged_attributes(loaded.scene, view, frame.attributes, precision).size(), 4u);
+        for (std::size_t channel = 0; channel < attribute_channels.size(); ++channel) {
+            SCOPED_TRACE(attribute_channels[channel].name);
+            Frame wrong = frame;
+            std::uint64_t changed = 0;
+            for (std::size_t i = 0; i < frame.primitive.pixels().size(); i += 97) {
+                if (frame.primitive.pixels()[i] == PrimitiveId::none) continue;
+                float& value = wrong.attributes.planes[channel].pixels()[i];
+                value += 0.1f + 0.1f * std::abs(value);
+                ++changed;
+            }
+            EXPECT_GT(wrong_in(view, wrong), changed / 2);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Suite, VulkanAttributes,
+                         testing::Values("room", "near_plane", "textured_ground", "orthographic",
+                                         "frustum_cuts"),
+                         [](const auto& scene) { return scene.param; });
 
 /// A promise that says more than the device's limits do, and a scene that shows it.
 struct FalsePromise {

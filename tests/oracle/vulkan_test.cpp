@@ -187,6 +187,26 @@ TEST_F(VulkanTest, ASampleElsewhereIsRefused) {
     view.sample = standard_samples(4)[3];
     EXPECT_THAT(refusal([&] { drawn(wall(1), view, {.depth_format = DepthFormat::unorm24}); }),
                 HasSubstr("24 bits"));
+    EXPECT_THAT(refusal([&] { drawn(wall(1), view, {.attributes = Values::all}); }),
+                HasSubstr("attributes are read from one sample only"));
+}
+
+/// Weights of corners, and what a scene without uv and normals has beside them.
+TEST_F(VulkanTest, AttributesAreThoseOfTheTriangleThatIsSeen) {
+    const Scene scene = scene_of(together({wall(3), wall(2)}));
+    const VulkanDriver driver({.attributes = Values::all});
+    const Frame frame = Vulkan(scene, driver).render(unit_pixels(3, 2));
+    EXPECT_TRUE(frame.attributes.has(Attribute::barycentrics) && frame.attributes.has(Attribute::position));
+    EXPECT_FALSE(frame.attributes.has(Attribute::uv) || frame.attributes.has(Attribute::normal));
+    EXPECT_EQ(frame.primitive.at(2, 1), PrimitiveId{1});
+    const auto at = [&](std::size_t channel) { return frame.attributes.planes[channel].at(2, 1); };
+    const auto corner = [&](std::uint32_t i) {
+        return scene.vertices.position_world[scene.triangles[1][int(i)]];
+    };
+    const glm::vec3 p = (1 - at(0) - at(1)) * corner(0) + at(0) * corner(1) + at(1) * corner(2);
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(at(7 + axis), p[int(axis)], 1e-4);
+    EXPECT_THAT(refusal([] { VulkanDriver({.ids = IdSource::primitive, .attributes = Values::all}); }),
+                HasSubstr("ids of vertices"));
 }
 
 TEST_F(VulkanTest, AnImageLargerThanTheDeviceAllowsIsRefusedBySize) {

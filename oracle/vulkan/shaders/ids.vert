@@ -6,6 +6,13 @@ out gl_PerVertex { vec4 gl_Position; float gl_ClipDistance[2]; };
 #ifdef ID_OF_VERTEX
 layout(location = 0) flat out uint id;
 #endif
+#ifdef ATTRIBUTES
+layout(location = 1) in vec2 uv;
+layout(location = 2) in vec3 normal_world;
+layout(location = 1) out vec4 bary_uv;
+layout(location = 2) out vec3 normal;
+layout(location = 3) out vec3 position;
+#endif
 
 float times(vec4 row) {
     precise vec3 p = p_world - rows.eye_world.xyz;
@@ -19,5 +26,11 @@ void main() {
     gl_ClipDistance[1] = times(rows.far_distance);
 #ifdef ID_OF_VERTEX
     id = uint(gl_VertexIndex) / 3u;  // each triangle has three vertices of its own
+#endif
+#ifdef ATTRIBUTES
+    int corner = gl_VertexIndex % 3;
+    bary_uv = vec4(corner == 1, corner == 2, uv);
+    normal = normal_world;
+    position = p_world;
 #endif
 }
