@@ -33,8 +33,8 @@ struct Batch {
 
 void Batch::load(const Triangles& triangles, const std::uint32_t* entries, int last) {
     const SnappedVertex* corner[3][batch_size];
-    for (int i = 0; i <= last; ++i) {
-        const std::uint32_t place = entries[i] & ~turned;
+    for (int i = 0; i < batch_size; ++i) {
+        const std::uint32_t entry = entries[min(i, last)], place = entry & ~turned;
         const SnappedVertex *a, *b, *c;
         if (place < triangles.length) {
             const glm::uvec3& index = triangles.corners[place];
@@ -47,13 +47,11 @@ void Batch::load(const Triangles& triangles, const std::uint32_t* entries, int l
             a = piece.vertex, b = piece.vertex + 1, c = piece.vertex + 2;
             id[i] = static_cast<std::uint32_t>(piece.id);
         }
-        const bool is_turned = (entries[i] & turned) != 0;
+        const bool is_turned = (entry & turned) != 0;
         corner[0][i] = a;
         corner[1][i] = is_turned ? c : b;
         corner[2][i] = is_turned ? b : c;
     }
-    for (int i = last + 1; i < batch_size; ++i)
-        for (auto& of_corner : corner) of_corner[i] = of_corner[last];
     for (int k = 0; k < 3; ++k) put_corner(k, corner[k]);
 }
 
