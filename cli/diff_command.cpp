@@ -4,6 +4,7 @@
 
 #include "cli/commands.h"
 #include "frame/input_file.h"
+#include "frame/number_text.h"
 #include "frame/printable.h"
 #include "frame/whole_file.h"
 #include "reports/findings_file.h"
@@ -30,9 +31,7 @@ RunToCompare with_defects(const Results& results, const fs::path& run_folder) {
     return run;
 }
 
-std::string size_of(const ViewResult& view) {
-    return std::to_string(view.width) + " x " + std::to_string(view.height);
-}
+std::string size_of(const ViewResult& view) { return size_text(view.width, view.height); }
 
 /// Pixels of two sizes are not the same pixels.
 void require_one_size(const std::vector<ViewChange>& changes) {

@@ -4,6 +4,7 @@
 #include "cli/labelled_candidate.h"
 #include "cli/memory.h"
 #include "compare/explanation/explain.h"
+#include "frame/number_text.h"
 #include "frame/printable.h"
 #include "program/common_arguments.h"
 #include "program/samples.h"
@@ -26,8 +27,8 @@ View asked_view(const ExplainArguments& arguments, const Loaded& loaded) {
 void require_inside(const ExplainArguments& arguments, const View& view) {
     if (arguments.x < view.width && arguments.y < view.height) return;
     throw UsageError{"pixel (" + std::to_string(arguments.x) + ", " + std::to_string(arguments.y) +
-                     ") lies outside the view '" + view.name + "', which is " + std::to_string(view.width) +
-                     " x " + std::to_string(view.height) + "; see --width, --height"};
+                     ") lies outside the view '" + view.name + "', which is " +
+                     size_text(view.width, view.height) + "; see --width, --height"};
 }
 
 /// The story of one pixel, ready to be told.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "frame/frame.h"
+#include "frame/number_text.h"
 #include "frame/whole_file.h"
 #include "oracle/isolated.h"
 #include "reports/wording.h"
@@ -72,9 +73,7 @@ std::string group_in(const std::string& groups) {
 
 std::string in_gib(std::uint64_t bytes) { return fixed(double(bytes) / double(1 << 30), 2) + " GiB"; }
 
-std::string pixels_in_words(Resolution size) {
-    return std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels";
-}
+std::string pixels_in_words(Resolution size) { return size_text(size.width, size.height) + " pixels"; }
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include "cli/labelled_candidate.h"
 #include "cli/view_result.h"
 #include "compare/judge.h"
+#include "frame/number_text.h"
 #include "oracle/oracle_error.h"
 #include "program/interrupt.h"
 #include "program/samples.h"
@@ -107,8 +108,7 @@ std::string command_for(const RunConfig& config, const std::filesystem::path& fi
 }
 
 std::string scene_size_in_words(const SceneSize& size) {
-    return counted(size.triangles, "triangle") + " at " + std::to_string(size.width) + " x " +
-           std::to_string(size.height);
+    return counted(size.triangles, "triangle") + " at " + size_text(size.width, size.height);
 }
 
 }  // namespace

@@ -48,4 +48,8 @@ std::string with_digits(double value, int count) {
 
 std::string rounded(double value) { return with_digits(value, 3); }
 
+std::string size_text(std::int64_t width, std::int64_t height) {
+    return std::to_string(width) + " x " + std::to_string(height);
+}
+
 }  // namespace zproof

@@ -15,5 +15,6 @@ std::string rounded(double value);                  ///< three significant digit
 std::string fixed(double value, int decimals);      ///< "12.30"
 std::string hex_bits(float value);                  ///< "0x3f800000"
 std::string grouped(std::uint64_t value);           ///< "12,345,678"
+std::string size_text(std::int64_t width, std::int64_t height);  ///< "1920 x 1080"
 
 }  // namespace zproof

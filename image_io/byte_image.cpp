@@ -3,6 +3,7 @@
 #include <string>
 
 #include "frame/frame_error.h"
+#include "frame/number_text.h"
 #include "frame/whole_file.h"
 #include "image_io/image_file.h"
 #include "image_io/image_io.h"
@@ -87,7 +88,7 @@ std::vector<std::byte> encode_png(Resolution size, std::span<const std::uint8_t>
     refuse_bad_size(size, "PNG in memory");
     if (rgba.size() != 4 * size.pixel_count())
         throw FrameError("PNG in memory: " + std::to_string(rgba.size()) + " bytes of texels; expected 4 x " +
-                         std::to_string(size.width) + " x " + std::to_string(size.height));
+                         size_text(size.width, size.height));
     std::vector<Channel> channels = rgb_of(Sample::uint8);
     channels.push_back({"A", Sample::uint8});
     return bytes_of(encoded(raster_of(size, std::move(channels), Light::srgb, rgba.data()), "PNG in memory"));
@@ -105,10 +106,9 @@ Rgba8Image rgba8_of(const ImageFile& input, int largest_side) {
     const Resolution size = input.size_of(0);
     const std::vector<Channel>& channels = input.parts()[0].channels;
     if (size.width > largest_side || size.height > largest_side || channels.empty() || channels.size() > 4)
-        throw FrameError(input.name() + ": " + std::to_string(size.width) + " x " +
-                         std::to_string(size.height) + " texels of " + std::to_string(channels.size()) +
-                         " channels; expected at most " + std::to_string(largest_side) +
-                         " texels on either side and 1 to 4 channels");
+        throw FrameError(input.name() + ": " + size_text(size.width, size.height) + " texels of " +
+                         std::to_string(channels.size()) + " channels; expected at most " +
+                         std::to_string(largest_side) + " texels on either side and 1 to 4 channels");
     Rgba8Image image{size, std::vector<std::uint8_t>(4 * size.pixel_count(), 255)};
     std::vector<WantedChannel> wanted;
     for (int component = 0; component < 4; ++component)
@@ -150,9 +150,8 @@ Plane<Rgb16> read_rgb16(const std::filesystem::path& file, Resolution size) {
     const bool fits = found == size && channels.size() == 3 && channels[0].sample == Sample::uint16;
     if (!fits)
         throw FrameError(file.string() + ": " + std::to_string(channels.size()) + " channels of " +
-                         name_of(channels[0].sample) + ", " + std::to_string(found.width) + " x " +
-                         std::to_string(found.height) + " pixels; expected 3 of uint16, " +
-                         std::to_string(size.width) + " x " + std::to_string(size.height));
+                         name_of(channels[0].sample) + ", " + size_text(found.width, found.height) +
+                         " pixels; expected 3 of uint16, " + size_text(size.width, size.height));
     Plane<Rgb16> picture(size);
     std::vector<WantedChannel> wanted;
     for (int c = 0; c < 3; ++c)

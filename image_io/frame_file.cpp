@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "frame/frame_error.h"
+#include "frame/number_text.h"
 #include "frame/whole_file.h"
 #include "image_io/attribute_channels.h"
 #include "image_io/frame_files.h"
@@ -110,9 +111,8 @@ class StoredPlanes {
     void require_size_of_ids() const {
         const Resolution of_ids = (id_file_ ? *id_file_ : depth_file_).size_of(id_place_->part);
         if (of_ids == size_) return;
-        throw FrameError(depth_file_.name() + ": depths of " + std::to_string(size_.width) + " x " +
-                         std::to_string(size_.height) + " pixels; the ids have " +
-                         std::to_string(of_ids.width) + " x " + std::to_string(of_ids.height));
+        throw FrameError(depth_file_.name() + ": depths of " + size_text(size_.width, size_.height) +
+                         " pixels; the ids have " + size_text(of_ids.width, of_ids.height));
     }
 
     ImageFile depth_file_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "frame/frame_error.h"
+#include "frame/number_text.h"
 #include "image_io/attribute_channels.h"
 #include "image_io/frame_files.h"
 #include "image_io/id_decoder.h"
@@ -177,9 +178,8 @@ class RawPlanes {
         size_ = depth_file().size_of(depth_place_.part);
         for (const ChannelPlace& place : id_places_)
             if (const Resolution other = id_file_.size_of(place.part); other != size_)
-                throw FrameError(depth_file().name() + ": depths of " + std::to_string(size_.width) + " x " +
-                                 std::to_string(size_.height) + " pixels; the ids have " +
-                                 std::to_string(other.width) + " x " + std::to_string(other.height));
+                throw FrameError(depth_file().name() + ": depths of " + size_text(size_.width, size_.height) +
+                                 " pixels; the ids have " + size_text(other.width, other.height));
     }
 
     void find_ids() {

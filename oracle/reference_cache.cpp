@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "frame/frame_error.h"
+#include "frame/number_text.h"
 #include "frame/whole_file.h"
 #include "math/sha256.h"
 #include "oracle/oracle_error.h"
@@ -48,8 +49,7 @@ std::string sum_of(const std::string& key, std::string_view ids, std::string_vie
 
 /// What a file says before the planes.
 std::string header_of(const std::string& key, Resolution size, const std::string& sum) {
-    return std::string{first_line} + key + "\n" + std::to_string(size.width) + " x " +
-           std::to_string(size.height) + "\n" + sum + "\n";
+    return std::string{first_line} + key + "\n" + size_text(size.width, size.height) + "\n" + sum + "\n";
 }
 
 bool read_into(std::ifstream& in, void* at, std::size_t bytes) {
@@ -93,7 +93,7 @@ std::vector<KeptFile> files_in(const fs::path& folder) {
 std::string reference_key(const std::string& scene_sha256, const View& view, const std::string& tracer) {
     const Camera& camera = view.camera;
     const Window& window = camera.window;
-    return scene_sha256 + " " + std::to_string(view.width) + " x " + std::to_string(view.height) + " " +
+    return scene_sha256 + " " + size_text(view.width, view.height) + " " +
            std::to_string(int(camera.projection)) + " " + bits_of_all(camera.eye_world) +
            bits_of_all(camera.right) + bits_of_all(camera.up) + bits_of_all(camera.back) +
            bits_of(window.left) + bits_of(window.right) + bits_of(window.bottom) + bits_of(window.top) +

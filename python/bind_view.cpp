@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "frame/number_text.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
 
@@ -74,7 +75,7 @@ View from_opencv(const py::object& K, const py::object& R, const py::object& t, 
 
 std::string text_of(const View& view) {
     const auto [width, height] = view.size();
-    return "<zproof.View '" + view.name() + "', " + std::to_string(width) + " x " + std::to_string(height) +
+    return "<zproof.View '" + view.name() + "', " + size_text(width, height) +
            (view.is_perspective() ? "" : ", parallel") + ">";
 }
 

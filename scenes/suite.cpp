@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "frame/number_text.h"
 #include "scenes/scene_error.h"
 #include "scenes/suite/manifest.h"
 #include "scenes/suite/scenes.h"
@@ -84,8 +85,8 @@ std::vector<SuiteEntry> thorough_manifest() { return entries_of("thorough_scenes
 
 Loaded generate_suite_scene(const std::string& name, int width, int height) {
     if (width < 1 || height < 1)
-        throw SceneError("suite scene '" + name + "': the image is " + std::to_string(width) + " x " +
-                         std::to_string(height) + " pixels, expected at least 1 x 1");
+        throw SceneError("suite scene '" + name + "': the image is " + size_text(width, height) +
+                         " pixels, expected at least 1 x 1");
     const auto generator = std::ranges::find(suite_generators, name, &SuiteGenerator::name);
     if (generator == suite_generators.end())
         throw SceneError("the suite has no scene '" + name +

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "frame/number_text.h"
 #include "image_io/image_io.h"
 #include "image_io/module.h"
 #include "math/srgb.h"
@@ -82,7 +83,7 @@ std::string image_fault(Span bytes) {
     const std::optional<ImageExtent> extent = extent_of(bytes);
     if (!extent) return "expected a PNG or JPEG image; convert it";
     const auto [format, width, height] = *extent;
-    const std::string size = std::to_string(width) + " x " + std::to_string(height);
+    const std::string size = size_text(width, height);
     if (width == 0 || height == 0)
         return "the image is " + size + " texels, expected one at least; export it again";
     if (width > limits::image_side || height > limits::image_side || width * height > limits::image_texels)

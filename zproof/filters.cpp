@@ -4,6 +4,7 @@
 #include "filters/reference/admissible_surfaces.h"
 #include "filters/stored/mip_chain.h"
 #include "filters/study/cost.h"
+#include "frame/number_text.h"
 #include "image_io/image_io.h"
 #include "rasterizer/textured_surface.h"
 #include "rasterizer/triangle_footprints.h"
@@ -97,7 +98,7 @@ FilterTask filter_task(const Scene& scene, const View& view) {
 void save_picture(const std::string& file, Size size, std::span<const float> rgb) {
     if (rgb.size() != 3 * size.pixel_count())
         throw InputError{"save_picture: " + std::to_string(rgb.size()) + " values; expected 3 x " +
-                         std::to_string(size.width) + " x " + std::to_string(size.height)};
+                         size_text(size.width, size.height)};
     Picture picture({size.width, size.height});
     for (std::size_t i = 0; i < picture.pixels().size(); ++i)
         picture.pixels()[i] = {rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]};

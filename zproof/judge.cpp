@@ -3,6 +3,7 @@
 #include "compare/judge.h"
 #include "compare/labels/labelled_frame.h"
 #include "frame/joined.h"
+#include "frame/number_text.h"
 #include "frame/precision_presets.h"
 #include "frame/precision_text.h"
 #include "frame/printable.h"
@@ -21,8 +22,8 @@ void require_length(const char* what, std::size_t length, const View& view) {
     const std::size_t pixels = view.size().pixel_count();
     if (length == 0 || length == pixels) return;
     throw InputError{std::string("judge: ") + what + " has " + std::to_string(length) + " values; view '" +
-                     view.name() + "' has " + std::to_string(view.size().width) + " x " +
-                     std::to_string(view.size().height) + " = " + std::to_string(pixels)};
+                     view.name() + "' has " + size_text(view.size().width, view.size().height) + " = " +
+                     std::to_string(pixels)};
 }
 
 /// A word for ids, or a file of labels.

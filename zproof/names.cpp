@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "frame/number_text.h"
 #include "frame/printable.h"
 
 namespace zproof::api {
@@ -24,8 +25,8 @@ void require_name(const std::string& what, const std::string& name) {
 void require_size(const std::string& what, Size size) {
     const auto is_side = [](int side) { return side >= 1 && side <= largest_side; };
     if (is_side(size.width) && is_side(size.height)) return;
-    throw InputError{what + ": the size is " + std::to_string(size.width) + " x " +
-                     std::to_string(size.height) + "; expected 1 to 32768 pixels on either side"};
+    throw InputError{what + ": the size is " + size_text(size.width, size.height) +
+                     "; expected 1 to 32768 pixels on either side"};
 }
 
 void require_no_nul(const std::string& what, const std::string& text) {

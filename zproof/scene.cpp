@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "frame/number_text.h"
 #include "scenes/glb_writer.h"
 #include "scenes/judged_ranges.h"
 #include "scenes/model_file.h"
@@ -44,8 +45,7 @@ void require_lengths(const Mesh& mesh) {
     const auto [width, height] = mesh.texture_size;
     const bool is_absent = width == 0 && height == 0;
     require(is_absent || (width >= 1 && height >= 1 && width <= largest_side && height <= largest_side),
-            "the texture is " + std::to_string(width) + " x " + std::to_string(height) +
-                "; expected 1 to 32768 texels on either side");
+            "the texture is " + size_text(width, height) + "; expected 1 to 32768 texels on either side");
     require(mesh.texels.size() == 4 * mesh.texture_size.pixel_count(),
             "the texture's size is not that of its texels");
 }

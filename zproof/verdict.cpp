@@ -10,6 +10,7 @@
 #include "compare/explanation/explain.h"
 #include "compare/labels/labelled_frame.h"
 #include "compare/pixel_class.h"
+#include "frame/number_text.h"
 #include "oracle/embree.h"
 #include "reports/diagnosis_words.h"
 #include "zproof/data.h"
@@ -50,8 +51,7 @@ Explanation::Triangle plain(const zproof::Candidate& triangle) {
 void require_inside(int x, int y, Size size) {
     if (x >= 0 && x < size.width && y >= 0 && y < size.height) return;
     throw InputError{"explain: pixel (" + std::to_string(x) + ", " + std::to_string(y) +
-                     ") lies outside of the view, which is " + std::to_string(size.width) + " x " +
-                     std::to_string(size.height)};
+                     ") lies outside of the view, which is " + size_text(size.width, size.height)};
 }
 
 /// The error of what makes it a defect. A NaN comes last.

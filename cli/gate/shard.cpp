@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "frame/number_text.h"
 #include "math/sha256.h"
 #include "program/usage_error.h"
 
@@ -82,9 +83,7 @@ std::vector<SceneSource> share_of(std::vector<SceneSource> sources, Shard shard)
 
 namespace {
 
-std::string size_in_words(const Resolution& size) {
-    return std::to_string(size.width) + " x " + std::to_string(size.height);
-}
+std::string size_in_words(const Resolution& size) { return size_text(size.width, size.height); }
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include "filters/commands/configured_method.h"
 #include "filters/reference/admissible_surfaces.h"
 #include "filters/report/inspection_words.h"
+#include "frame/number_text.h"
 #include "program/common_arguments.h"
 #include "program/study_scenes.h"
 #include "program/usage_error.h"
@@ -16,9 +17,9 @@ View view_of(const Loaded& loaded, const FiltersExplainArguments& arguments) {
     const View view = chosen_views(loaded, {arguments.view}).front();
     const PixelCoord& pixel = arguments.pixel;
     if (pixel.x < view.width && pixel.y < view.height) return view;
-    throw UsageError{"--pixel: the view has " + std::to_string(view.width) + " x " +
-                     std::to_string(view.height) + " pixels, from 0,0; found " + std::to_string(pixel.x) +
-                     "," + std::to_string(pixel.y) + " (--width, --height)"};
+    throw UsageError{"--pixel: the view has " + size_text(view.width, view.height) +
+                     " pixels, from 0,0; found " + std::to_string(pixel.x) + "," + std::to_string(pixel.y) +
+                     " (--width, --height)"};
 }
 
 /// What the picture has at the pixel, beside what its claim permits there.

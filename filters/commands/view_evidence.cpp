@@ -7,6 +7,7 @@
 #include "filters/report/inspection_json.h"
 #include "filters/study/inspection.h"
 #include "filters/study/study.h"
+#include "frame/number_text.h"
 #include "program/shell_line.h"
 #include "program/usage_error.h"
 
@@ -48,8 +49,7 @@ void tell(std::vector<study::PixelInspection>& all, const study::Inspector& insp
 void refuse_unfit_box(const CropBox& box, std::size_t methods, const View& view) {
     if (box.x + box.width > view.width || box.y + box.height > view.height)
         throw UsageError{"--inspect: " + in_words(box) + " reaches beyond the view '" + view.name +
-                         "', which has " + std::to_string(view.width) + " x " + std::to_string(view.height) +
-                         " pixels"};
+                         "', which has " + size_text(view.width, view.height) + " pixels"};
     const std::size_t told = std::size_t(box.width) * std::size_t(box.height) * methods;
     if (told > most_told)
         throw UsageError{"--inspect: " + in_words(box) + " has " + std::to_string(told) +

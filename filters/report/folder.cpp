@@ -7,6 +7,7 @@
 #include "filters/report/plots.h"
 #include "filters/report/pooled.h"
 #include "filters/report/tables.h"
+#include "frame/number_text.h"
 #include "frame/whole_file.h"
 #include "image_io/image_io.h"
 #include "reports/page_parts.h"
@@ -29,8 +30,7 @@ CropBox crop_of(const fs::path& folder, const ViewStudy& view, const Picture& tr
     if (choice.crop) {
         if (const auto box = within(*choice.crop, truth.size())) return *box;
         throw ReportError{"crop " + in_words(*choice.crop) + " lies outside " + view.scene + " / " +
-                          view.view + ", which is " + std::to_string(view.width) + " x " +
-                          std::to_string(view.height)};
+                          view.view + ", which is " + size_text(view.width, view.height)};
     }
     ErrorTally tally{truth};
     for (const MethodScore& method : view.methods) tally.add(read_picture(folder / method.file));

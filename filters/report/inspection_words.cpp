@@ -99,16 +99,15 @@ std::string line(const std::string& name, const std::string& text) {
 
 std::string weights_line(const PixelInspection& one, const std::string& name, const texture::Kernel& kernel,
                          const texture::KernelShape& shape) {
-    return line(name, "sum " + short_number(shape.sum) + " over " + std::to_string(kernel.width) + " x " +
-                          std::to_string(kernel.height) + " texels; centroid " + pair_of(shape.centroid) +
-                          "; spread " + spread_along(one, shape));
+    return line(name, "sum " + short_number(shape.sum) + " over " + size_text(kernel.width, kernel.height) +
+                          " texels; centroid " + pair_of(shape.centroid) + "; spread " +
+                          spread_along(one, shape));
 }
 
 std::string footprint_lines(const PixelInspection& one) {
     const texture::Footprint& f = one.footprint;
     const texture::Ellipse& e = one.ellipse;
-    return line("texture",
-                std::to_string(one.texture_width) + " x " + std::to_string(one.texture_height) + " texels") +
+    return line("texture", size_text(one.texture_width, one.texture_height) + " texels") +
            line("footprint", "centre " + pair_of(f.centre) + ", per pixel in x " + pair_of(f.per_x) +
                                  ", in y " + pair_of(f.per_y) + " texels") +
            line("ellipse", "axes " + short_number(e.major) + " and " + short_number(e.minor) +
@@ -119,11 +118,10 @@ std::string footprint_lines(const PixelInspection& one) {
 std::string image_lines(const Reading& reading) {
     std::string text;
     for (const ImageRead& image : reading.images)
-        text += line(
-            "reads",
-            (image.level ? "level " + level_in_words(*image.level) : "image " + std::to_string(image.image)) +
-                " of " + std::to_string(image.width) + " x " + std::to_string(image.height) + ": " +
-                counted(image.taps, "tap") + " of weight " + short_number(image.weight));
+        text += line("reads", (image.level ? "level " + level_in_words(*image.level)
+                                           : "image " + std::to_string(image.image)) +
+                                  " of " + size_text(image.width, image.height) + ": " +
+                                  counted(image.taps, "tap") + " of weight " + short_number(image.weight));
     return text;
 }
 

@@ -7,6 +7,7 @@
 #include "filters/report/table_cells.h"
 #include "filters/report/tables.h"
 #include "filters/study/claims.h"
+#include "frame/number_text.h"
 #include "frame/printable.h"
 #include "reports/base64.h"
 #include "reports/page_parts.h"
@@ -157,9 +158,8 @@ std::string section_of(const StudyResults& results, const ViewStudy& view, const
     std::string text = "<section id=\"" + anchor + "\">\n<h2>" + escaped(view.scene) +
                        " <span class=\"view\">" + escaped(view.view) + "</span></h2>\n";
     if (!view.reason.empty()) text += "<p class=\"reason\">" + escaped(view.reason) + "</p>\n";
-    text += "<p class=\"facts\">" + std::to_string(view.width) + " x " + std::to_string(view.height) +
-            " pixels · texture " + escaped(view.textures) + " · truth in " + fixed(view.truth_seconds, 2) +
-            " s</p>\n";
+    text += "<p class=\"facts\">" + size_text(view.width, view.height) + " pixels · texture " +
+            escaped(view.textures) + " · truth in " + fixed(view.truth_seconds, 2) + " s</p>\n";
     for (const MissingPicture& one : view.missing)
         text += "<p class=\"reason\"><strong>" + escaped(one.label) +
                 "</strong> has no picture of this view: " + escaped(one.reason) + "</p>\n";

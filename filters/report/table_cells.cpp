@@ -8,6 +8,7 @@
 #include <map>
 
 #include "filters/study/claims.h"
+#include "frame/number_text.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -139,8 +140,8 @@ TableCells table_cells(const StudyResults& results, const ViewStudy& view, const
         for (const ColumnRule& rule : rules) table.rows.back().push_back(rule.text(*method, *score));
     }
     if (view.first_row > 0) table.title += ", rows from " + std::to_string(view.first_row);
-    table.title += ", " + std::to_string(view.width) + " x " + std::to_string(view.height) + ", region '" +
-                   choice.region + "' (" + counted(pixels, "pixel") + "), GT-" + results.truth;
+    table.title += ", " + size_text(view.width, view.height) + ", region '" + choice.region + "' (" +
+                   counted(pixels, "pixel") + "), GT-" + results.truth;
     return table;
 }
 

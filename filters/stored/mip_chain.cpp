@@ -1,4 +1,5 @@
 #include "filters/stored/mip_chain.h"
+#include "frame/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -152,9 +153,8 @@ std::vector<LinearImage> mip_chain(const LinearImage& image, const FilterOptions
                                 " is given, behind a level of 1 x 1 texels"};
         if (level.width != width || level.height != height)
             throw MipChainError{"mip level " + std::to_string(levels.size()) + " that is given has " +
-                                std::to_string(level.width) + " x " + std::to_string(level.height) +
-                                " texels: expected " + std::to_string(width) + " x " +
-                                std::to_string(height)};
+                                size_text(level.width, level.height) + " texels: expected " +
+                                size_text(width, height)};
         levels.push_back(level);
     }
     return levels;

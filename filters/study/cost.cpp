@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "frame/joined.h"
+#include "frame/number_text.h"
 #include "rasterizer/textured_surface.h"
 
 namespace zproof::study {
@@ -106,8 +107,7 @@ std::string sizes_of(const SourceTextures& textures) {
     std::vector<std::string> sizes;
     for (const auto& source : textures) {
         if (!source) continue;
-        const std::string size =
-            std::to_string(source->image.width) + " x " + std::to_string(source->image.height);
+        const std::string size = size_text(source->image.width, source->image.height);
         if (std::ranges::find(sizes, size) == sizes.end()) sizes.push_back(size);
     }
     return joined(sizes);

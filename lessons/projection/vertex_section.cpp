@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/number_text.h"
 #include "lessons/projection/sections.h"
 #include "reports/wording.h"
 
@@ -190,7 +191,7 @@ Plot depth_plot(const ProjectedView& view) {
 
 document::Section vertex_section(const ProjectedView& view) {
     document::Section section{view.title + ": vertices", {}, {}};
-    section.paragraphs = {std::to_string(view.size.width) + " x " + std::to_string(view.size.height) +
+    section.paragraphs = {size_text(view.size.width, view.size.height) +
                           " pixels. The scene is baked: its vertices are in world space, and local to world "
                           "has been applied."};
     section.items = {places_table(view)};

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "frame/frame_error.h"
+#include "frame/number_text.h"
 #include "image_io/image_io.h"
 #include "image_io/module.h"
 #include "image_io/raw_frame.h"
@@ -105,9 +106,8 @@ std::vector<std::string> stored_frame_channels(const fs::path& file,
 
 void refuse_other_size(const std::filesystem::path& file, Resolution size, const View& view) {
     if (size == Resolution{view.width, view.height}) return;
-    throw FrameError(file.string() + ": " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-                     " pixels; the view '" + view.name + "' has " + std::to_string(view.width) + " x " +
-                     std::to_string(view.height));
+    throw FrameError(file.string() + ": " + size_text(size.width, size.height) + " pixels; the view '" +
+                     view.name + "' has " + size_text(view.width, view.height));
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "frame/number_text.h"
 #include "oracle/opengl/context.h"
 #include "oracle/oracle_error.h"
 
@@ -117,9 +118,9 @@ void raise_if_too_large(Resolution size) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     if (size.width > largest || size.height > largest)
-        throw OracleError("OpenGL: an image of " + std::to_string(size.width) + " x " +
-                          std::to_string(size.height) + " is larger than the driver's largest side, " +
-                          std::to_string(largest) + "; ask for a smaller one");
+        throw OracleError("OpenGL: an image of " + size_text(size.width, size.height) +
+                          " is larger than the driver's largest side, " + std::to_string(largest) +
+                          "; ask for a smaller one");
 }
 
 }  // namespace

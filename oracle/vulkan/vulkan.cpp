@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "frame/joined.h"
+#include "frame/number_text.h"
 #include "oracle/oracle_error.h"
 #include "oracle/vulkan/device.h"
 #include "oracle/vulkan/drawing.h"
@@ -69,8 +70,8 @@ struct VulkanDriver::State {
     /// Throws OracleError.
     void require_answerable(const View& view) const {
         if (view.width > facts.largest_side_px || view.height > facts.largest_side_px)
-            throw OracleError("Vulkan: an image of " + std::to_string(view.width) + " x " +
-                              std::to_string(view.height) + " is larger than the device's largest side, " +
+            throw OracleError("Vulkan: an image of " + size_text(view.width, view.height) +
+                              " is larger than the device's largest side, " +
                               std::to_string(facts.largest_side_px) + "; ask for a smaller one");
         const int count = view.sample.count;
         if (!is_standard(view.sample))

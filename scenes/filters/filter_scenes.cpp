@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "frame/frame_error.h"
+#include "frame/number_text.h"
 #include "scenes/filters/scenes.h"
 #include "scenes/limits.h"
 #include "scenes/scene_error.h"
@@ -92,8 +93,8 @@ constexpr std::array filter_generators{
 
 void check_size(const std::string& name, int width, int height) {
     if (width < 1 || height < 1)
-        throw SceneError("filter scene '" + name + "': the image is " + std::to_string(width) + " x " +
-                         std::to_string(height) + " pixels, expected at least 1 x 1");
+        throw SceneError("filter scene '" + name + "': the image is " + size_text(width, height) +
+                         " pixels, expected at least 1 x 1");
 }
 
 std::string lower_extension(const std::filesystem::path& file) {
