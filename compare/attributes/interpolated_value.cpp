@@ -343,7 +343,6 @@ WrongAttribute wrong_position(const SampledSurface& s, const Values& values) {
 InterpolatedValue interpolated_value(const Surface& surface, const InterpolationErrors& errors,
                                      std::size_t channel, const std::array<double, 3>& at_corners,
                                      float value) {
-    constexpr double underflow = 0x1p-126;
     // a normal may be brought to unit length: a common factor, and 3 roundings
     const double of_length =
         attribute_channels[channel].attribute == Attribute::normal ? gamma(3, unit_roundoff_float32) : 0;
@@ -358,13 +357,13 @@ InterpolatedValue interpolated_value(const Surface& surface, const Interpolation
     const double relative = share(largest, compounded(errors.relative + of_length));
     const double products = share(largest, compounded(errors.of_products + of_length));
     constexpr double any_float = 0x1p200;
-    const double beyond = std::min(any_float, products * spread + negative * range + underflow);
-    const double at_centre = share(relative, surface.spread_at_centre) + underflow;
+    const double beyond = std::min(any_float, products * spread + negative * range + errors.underflow);
+    const double at_centre = share(relative, surface.spread_at_centre) + errors.underflow;
     const bool may_shrink = errors.of_shares == InterpolationErrors::Sum::at_most_one;
     return {.channel = channel,
             .value = value,
             .at_corners = at_corners,
-            .slack = relative * spread + share(range, spread * weights) + underflow,
+            .slack = relative * spread + share(range, spread * weights) + errors.underflow,
             .slack_at_centre = std::isfinite(at_centre) ? at_centre : -1,
             .means = {(may_shrink ? std::min(low, 0.0) : low) - beyond,
                       (may_shrink ? std::max(high, 0.0) : high) + beyond}};

@@ -50,14 +50,16 @@ double of_clipping(const RasterPrecision& precision, const Surface& s) {
 /// A value is the quotient of two planes', of weights times values and of weights. It keeps to no mean.
 InterpolationErrors errors_of_planes(const RasterPrecision& precision, const Surface& s) {
     const ValuePlanes planes = RasterBounds(s.facts, precision).value_planes(s.facts, s.extent, s.bounds);
-    const double least_weight = s.facts.perspective ? s.least_inverse_depth / planes.largest_weight : 1;
-    if (!std::isfinite(planes.of_values) || !(least_weight > 0)) return {.may_be_anything = true};
+    const double largest = s.facts.perspective ? 1 / s.bounds.nearest : 1,
+                 least = s.facts.perspective ? s.least_inverse_depth : 1;
+    if (!std::isfinite(planes.of_values) || !(least > 0)) return {.may_be_anything = true};
     const double of_quotient = gamma(4, unit_roundoff_float32);
-    return {.relative = relative_of_depth(s) + 2 * planes.of_weights / least_weight + of_quotient +
+    return {.relative = relative_of_depth(s) + 2 * planes.of_weights / least + of_quotient +
                         of_clipping(precision, s),
             .of_products = unlimited,
-            .of_weights = std::max(planes.of_values / 2, planes.of_weights) / least_weight,
-            .negative = (planes.spread - 1) / 2 / least_weight,
+            .of_weights = std::max(planes.of_values / 2, planes.of_weights) / least,
+            .negative = (planes.spread - 1) / 2 * largest / least,
+            .underflow = underflow_of_plane / least,
             .sampled = SampledPlaces::anywhere};
 }
 

@@ -9,10 +9,11 @@
 namespace zproof {
 
 struct InterpolationErrors {
-    double relative = 0;     ///< of every product of a weight and a value
-    double of_products = 0;  ///< the same without the errors of weights that leave them above 0
-    double of_weights = 0;   ///< sum of the weights' own errors, as a share of their sum
-    double negative = 0;     ///< what weights as computed may be below 0 in all, as a share of their sum
+    double relative = 0;          ///< of every product of a weight and a value
+    double of_products = 0;       ///< the same without the errors of weights that leave them above 0
+    double of_weights = 0;        ///< sum of the weights' own errors, as a share of their sum
+    double negative = 0;          ///< what weights as computed may be below 0 in all, as a share of their sum
+    double underflow = 0x1p-126;  ///< what results that become 0 may lack
     enum class Sum { one, at_most_one } of_shares = Sum::one;  ///< what the weights' shares may add up to
     SampledPlaces sampled = SampledPlaces::on_triangle;
     bool may_be_anything = false;  ///< no number as well: a plane of which rounding may take all the area

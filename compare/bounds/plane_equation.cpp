@@ -13,7 +13,6 @@ namespace {
 
 constexpr double u_float32 = unit_roundoff_float32;
 constexpr PlaneEquationBounds unknown{.z_error = unlimited, .spread = 1};
-constexpr double underflow = 16 * 0x1p-126;  ///< what 16 results, flushed to zero, may lack
 
 /// Points before the divide, relative to the eye: place in the window (for perspective times the depth), and
 /// depth as z.
@@ -140,7 +139,7 @@ class PlaneEquation {
         return s.spread * (corner() + s.lost * span_) + sixfold * (dx.terms * across + dy.terms * down) +
                gamma(8, u_float32) *
                    (z_max_ + slope_x * (x_max_ + view.width) + slope_y * (y_max_ + view.height)) +
-               underflow;
+               underflow_of_plane;
     }
 
     CornerShift shift_;

@@ -32,6 +32,8 @@ struct CornerShift {
     double least_z_term = 0;  ///< ZRange::least_term
 };
 
+inline constexpr double underflow_of_plane = 16 * 0x1p-126;  ///< what 16 results, flushed to zero, may lack
+
 /// Errors of a plane equation anywhere on the triangle. z_error is unlimited where three corners may lie on a
 /// line or nothing of the triangle is left.
 struct PlaneEquationBounds {

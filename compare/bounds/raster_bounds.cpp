@@ -210,18 +210,11 @@ ValuePlanes RasterBounds::value_planes(const ViewFacts& facts, const TriangleExt
                                        const TriangleBounds& bounds) const {
     std::vector<WindowCorner> polygon =
         window_polygon(facts, extent, precision_.clipping, z_range(facts.view.camera, precision_));
+    for (WindowCorner& corner : polygon) corner.z = facts.perspective ? corner.inverse_depth : 1;
     const CornerShift shift{.snap_px = snap_px_, .drift_px = drift_px(bounds, polygon)};
-    ValuePlanes planes{.largest_weight = facts.perspective ? 0.0 : 1.0};
-    if (facts.perspective)
-        for (const WindowCorner& corner : polygon)
-            planes.largest_weight = std::max(planes.largest_weight, corner.inverse_depth);
-    for (WindowCorner& corner : polygon)
-        corner.z = facts.perspective ? corner.inverse_depth / planes.largest_weight : 1;
-    const PlaneEquationBounds weights = plane_equation_bounds(polygon, shift, facts.view);
-    planes.of_weights = weights.z_error;
-    planes.of_values = plane_equation_bounds(polygon, shift, facts.view, CornerSigns::any).z_error;
-    planes.spread = weights.spread;
-    return planes;
+    const PlaneEquationBounds weights = plane_equation_bounds(polygon, shift, facts.view),
+                              values = plane_equation_bounds(polygon, shift, facts.view, CornerSigns::any);
+    return {weights.z_error, values.z_error, weights.spread};
 }
 
 double RasterBounds::decoding_error_of_z(const ZRange& z, double z_max) const {

@@ -13,13 +13,12 @@
 
 namespace zproof {
 
-/// What plane equations make of values that are interpolated beside depth, in shares of the largest weight. A
-/// corner's weight is its inverse depth; in parallel projections 1.
+/// What plane equations make of values that are interpolated beside depth. A corner's weight is its inverse
+/// depth; in parallel projections 1.
 struct ValuePlanes {
-    double of_weights = unlimited;  ///< error of the plane through the weights
-    double of_values = unlimited;   ///< of that through weights times values from -1 to 1
-    double spread = 1;              ///< PlaneEquationBounds::spread
-    double largest_weight = 0;
+    double of_weights = 0;  ///< error of the plane through the weights
+    double of_values = 0;   ///< of that through weights times values from -1 to 1
+    double spread = 1;      ///< PlaneEquationBounds::spread
 };
 
 class RasterBounds {
