@@ -47,19 +47,22 @@ double of_clipping(const RasterPrecision& precision, const Surface& s) {
     return cuts ? gamma(4 * 6, unit_of(precision.transform)) : 0;
 }
 
-/// A value is the quotient of two planes', of weights times values and of weights. It keeps to no mean.
+/// A value is a quotient of planes, of weights times values by that of weights; or two corners' shares are
+/// such quotients, and blend the corners' values. It keeps to no mean.
 InterpolationErrors errors_of_planes(const RasterPrecision& precision, const Surface& s) {
-    const ValuePlanes planes = RasterBounds(s.facts, precision).value_planes(s.facts, s.extent, s.bounds);
+    const ValuePlanes planes =
+        RasterBounds(s.facts, precision)
+            .value_planes(s.facts, s.extent, s.bounds, sampled_at(s.facts.view, s.pixel.x, s.pixel.y));
     const double largest = s.facts.perspective ? 1 / s.bounds.nearest : 1,
                  least = s.facts.perspective ? s.least_inverse_depth : 1;
-    if (!std::isfinite(planes.of_values) || !(least > 0)) return {.may_be_anything = true};
-    const double of_quotient = gamma(4, unit_roundoff_float32);
-    return {.relative = relative_of_depth(s) + 2 * planes.of_weights / least + of_quotient +
-                        of_clipping(precision, s),
+    if (!std::isfinite(planes.of_values) || !(least > planes.of_weights)) return {.may_be_anything = true};
+    const double of_blend = gamma(12, unit_roundoff_float32);
+    return {.relative =
+                relative_of_depth(s) + 2 * planes.of_weights / least + of_blend + of_clipping(precision, s),
             .of_products = unlimited,
-            .of_weights = std::max(planes.of_values / 2, planes.of_weights) / least,
+            .of_weights = (2 * planes.of_weights + planes.of_values) / least,
             .negative = (planes.spread - 1) / 2 * largest / least,
-            .underflow = underflow_of_plane / least,
+            .underflow = 0x1p-126 + underflow_of_plane / least,
             .sampled = SampledPlaces::anywhere};
 }
 

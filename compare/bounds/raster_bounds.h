@@ -16,9 +16,9 @@ namespace zproof {
 /// What plane equations make of values that are interpolated beside depth. A corner's weight is its inverse
 /// depth; in parallel projections 1.
 struct ValuePlanes {
-    double of_weights = 0;  ///< error of the plane through the weights
-    double of_values = 0;   ///< of that through weights times values from -1 to 1
-    double spread = 1;      ///< PlaneEquationBounds::spread
+    double of_weights = unlimited;  ///< error of the plane through the weights
+    double of_values = unlimited;   ///< of that through weights times values from -1 to 1
+    double spread = 1;              ///< PlaneEquationBounds::spread
 };
 
 class RasterBounds {
@@ -34,9 +34,10 @@ class RasterBounds {
     double decoding_error(const ViewFacts& facts) const;
     /// Inverse depths of a z in [0, 1]; everything where the buffer holds no z.
     InverseDepthRange storable(const ViewFacts& facts) const;
-    /// The bounds are those of this triangle.
+    /// At a place of the image; `bounds` are those of this triangle. Unlimited where a piece of next to no
+    /// area may be drawn there.
     ValuePlanes value_planes(const ViewFacts& facts, const TriangleExtent& extent,
-                             const TriangleBounds& bounds) const;
+                             const TriangleBounds& bounds, const glm::dvec2& p_raster) const;
     double background_eps_px() const { return background_eps_px_; }
     double snap_px() const { return snap_px_; }
 

@@ -38,15 +38,21 @@ struct WindowTriangle {
     }
 };
 
+/// Relative to the window's upper left corner; perspective: of a corner before the eye.
+inline glm::dvec2 corner_px(const ViewFacts& facts, const TriangleExtent& extent, std::size_t corner) {
+    const Window& w = facts.view.camera.window;
+    const glm::dvec2 at =
+        facts.before_divide(extent, corner) / (facts.perspective ? extent.size.depth[corner] : 1.0);
+    return {(at.x - w.left) * facts.scale.px_per_u, (w.top - at.y) * facts.scale.px_per_v};
+}
+
 inline std::optional<WindowTriangle> window_triangle(const ViewFacts& facts, const TriangleExtent& extent) {
     const Camera& c = facts.view.camera;
     WindowTriangle triangle;
     for (std::size_t i = 0; i < 3; ++i) {
         const double depth = extent.size.depth[i];
         if (!(depth >= c.near_depth && depth <= c.far_depth)) return std::nullopt;
-        const glm::dvec2 at = facts.before_divide(extent, i) / (facts.perspective ? depth : 1.0);
-        triangle.corner_px[i] = {(at.x - c.window.left) * facts.scale.px_per_u,
-                                 (c.window.top - at.y) * facts.scale.px_per_v};
+        triangle.corner_px[i] = corner_px(facts, extent, i);
     }
     return triangle;
 }

@@ -514,10 +514,8 @@ Diagnosis diagnosed(const DiagnosisInput& input, const Verdict& verdict, std::sp
                     std::span<const EarlierCause> earlier) {
     if (!earlier.empty()) {
         Diagnoser quick(input, verdict, hypotheses_without_fitted_cameras(input), without);
-        if (std::ranges::all_of(earlier, [&](const EarlierCause& e) { return quick.knows(e); })) {
+        if (std::ranges::all_of(earlier, [&](const EarlierCause& e) { return quick.knows(e); }))
             if (const std::optional<Diagnosis> known = quick.by_earlier(earlier)) return *known;
-            return Diagnoser(input, verdict, all_hypotheses(input), without).run();
-        }
     }
     Diagnoser diagnoser(input, verdict, all_hypotheses(input), without);
     if (const std::optional<Diagnosis> known = diagnoser.by_earlier(earlier)) return *known;

@@ -120,7 +120,7 @@ TEST(CommandLine, NamesRenderersProgramsAndStoredFrames) {
 TEST(CommandLine, GivesVulkanItsSettingsAndItsDevice) {
     const auto run = std::any_cast<RunArguments>(
         parsed({"run", "--renderer", "vulkan:depth_buffer=standard_z:depth_format=unorm16:ids=any",
-                "--device", "llvm pipe", "--oracle", "vulkan:planes=distances"})
+                "--device", "llvm pipe", "--oracle", "vulkan:planes=distances:attributes=all"})
             .arguments);
     const oracle::VulkanSettings& candidate = std::get<BuiltIn>(run.renderers.candidate.who).vulkan;
     EXPECT_EQ(candidate.depth_format, DepthFormat::unorm16);
@@ -129,10 +129,13 @@ TEST(CommandLine, GivesVulkanItsSettingsAndItsDevice) {
     EXPECT_EQ(options_for(run.renderers.candidate),
               " --renderer vulkan:depth_format=unorm16:depth_buffer=standard_z --device 'llvm pipe'");
     const oracle::VulkanSettings& oracle = std::get<BuiltIn>(run.renderers.oracles.at(0).renderer.who).vulkan;
-    EXPECT_EQ(oracle, (oracle::VulkanSettings{.device = "llvm pipe", .planes = oracle::PlanesBy::distances}));
-    EXPECT_EQ(
-        name_of(std::any_cast<FitArguments>(parsed({"fit", "vulkan:ids=vertex", "room"}).arguments).renderer),
-        "vulkan:ids=vertex");
+    EXPECT_EQ(oracle, (oracle::VulkanSettings{.device = "llvm pipe",
+                                              .planes = oracle::PlanesBy::distances,
+                                              .attributes = oracle::Values::all}));
+    EXPECT_EQ(name_of(std::any_cast<FitArguments>(
+                          parsed({"fit", "vulkan:ids=vertex:attributes=all", "room"}).arguments)
+                          .renderer),
+              "vulkan:ids=vertex:attributes=all");
     for (const char* wrong :
          {"vulkan:", "vulkan:depth=16", "vulkan:depth_format=unorm16:", "vulkanic", "opengl:ids=any"})
         EXPECT_THROW(parsed({"run", "--renderer", wrong}), UsageError) << wrong;

@@ -104,11 +104,22 @@ TEST_F(VulkanSamples, OfOneMultisampledTargetAreProven) {
     }
 }
 
-class VulkanAttributes : public oracle::ValidatedVulkan, public testing::WithParamInterface<std::string> {
+struct AttributeCase {
+    std::string scene;
+    double seen;  ///< the least share of wrong values that must be
+    oracle::VulkanSettings settings{};
+};
+
+class VulkanAttributes : public oracle::ValidatedVulkan, public testing::WithParamInterface<AttributeCase> {
   protected:
-    const oracle::VulkanSettings settings{.attributes = oracle::Values::all};
+    static oracle::VulkanSettings with_attributes(oracle::VulkanSettings settings) {
+        settings.attributes = oracle::Values::all;
+        return settings;
+    }
+
+    const oracle::VulkanSettings settings = with_attributes(GetParam().settings);
     const Precision precision = promise(settings);
-    const Loaded loaded = with_values(generate_suite_scene(GetParam(), width, height));
+    const Loaded loaded = with_values(generate_suite_scene(GetParam().scene, width, height));
     const oracle::Embree embree{loaded.scene};
 
     /// With uv and normals of their own for every vertex.
@@ -130,8 +141,8 @@ class VulkanAttributes : public oracle::ValidatedVulkan, public testing::WithPar
     }
 };
 
-/// Pixels all over the image with a tenth more are wrong, but where pieces of a triangle are too thin to
-/// tell.
+/// Pixels all over the image have 0.1 and a tenth more. That is wrong but where a corner's value is a million
+/// times as large: of triangles that reach far.
 TEST_P(VulkanAttributes, AreWithinTheirBoundsAndWrongOnesAreNot) {
     const oracle::Vulkan vulkan(loaded.scene, oracle::VulkanDriver(settings));
     for (const View& view : loaded.views) {
@@ -149,15 +160,21 @@ TEST_P(VulkanAttributes, AreWithinTheirBoundsAndWrongOnesAreNot) {
                 value += 0.1f + 0.1f * std::abs(value);
                 ++changed;
             }
-            EXPECT_GT(wrong_in(view, wrong), changed / 2);
+            EXPECT_GE(double(wrong_in(view, wrong)), GetParam().seen * double(changed));
         }
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(Suite, VulkanAttributes,
-                         testing::Values("room", "near_plane", "textured_ground", "orthographic",
-                                         "frustum_cuts"),
-                         [](const auto& scene) { return scene.param; });
+                         testing::Values(AttributeCase{"room", 1}, AttributeCase{"near_plane", 0.5},
+                                         AttributeCase{"textured_ground", 0.5},
+                                         AttributeCase{"orthographic", 1},
+                                         AttributeCase{"frustum_cuts",
+                                                       0.97,
+                                                       {.depth_format = DepthFormat::unorm16,
+                                                        .depth_buffer = DepthBuffer::standard_z,
+                                                        .planes = oracle::PlanesBy::distances}}),
+                         [](const auto& attributes) { return attributes.param.scene; });
 
 /// A promise that says more than the device's limits do, and a scene that shows it.
 struct FalsePromise {
