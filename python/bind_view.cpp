@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "frame/number_text.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
 
@@ -75,7 +74,7 @@ View from_opencv(const py::object& K, const py::object& R, const py::object& t, 
 
 std::string text_of(const View& view) {
     const auto [width, height] = view.size();
-    return "<zproof.View '" + view.name() + "', " + size_text(width, height) +
+    return "<zproof.View '" + view.name() + "', " + std::to_string(width) + " x " + std::to_string(height) +
            (view.is_perspective() ? "" : ", parallel") + ">";
 }
 
