@@ -216,6 +216,19 @@ TEST_P(ValuesOfPlanes, WithACornerOnAPlaneThatClipsMayBeNoNumber) {
     }
 }
 
+/// A weight of a millionth of the others' is less than what rounding may take of their plane: it may be 0.
+TEST(WeightsOfPlanes, ThatMayVanishLeaveNoNumber) {
+    TestScene t(Projection::perspective, 16, 16, {{{{-500, 12, 1}, {500, 12, 1}, {8.5, 4.5 - 0x1p-16, 0x1p29}}}});
+    t.view.camera.far_depth = 0x1p30;
+    answer_everywhere(t.candidate, 0, 1);
+    t.scene.vertices.uv.push_back({{0, 0}, {1, 0}, {0, 1}});
+    for (const std::size_t channel : {uv_u, uv_v})
+        t.candidate.attributes.planes[channel] = Plane<float>({16, 16}, NAN);
+    const AttributeCheck check(t.scene, t.view, t.candidate, planes(16));
+    EXPECT_FALSE(check.first_wrong({8, 4}));
+    EXPECT_TRUE(check.first_wrong({8, 10}));
+}
+
 /// What is too small for float32 may be 0, also where weights are large.
 TEST_P(ValuesOfPlanes, MayUnderflow) {
     TestScene t(GetParam(), 8, 8, {wall(1.0 / 32)});
