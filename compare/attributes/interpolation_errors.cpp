@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/bounds/raster_bounds.h"
+#include "compare/attributes/value_planes.h"
 #include "compare/bounds/ray_bounds.h"
 #include "compare/bounds/roundings.h"
 #include "compare/bounds/window_triangle.h"
@@ -50,9 +50,7 @@ double of_clipping(const RasterPrecision& precision, const Surface& s) {
 /// A value is a quotient of planes, of weights times values by that of weights; or two corners' shares are
 /// such quotients, and blend the corners' values. It keeps to no mean.
 InterpolationErrors errors_of_planes(const RasterPrecision& precision, const Surface& s) {
-    const ValuePlanes planes =
-        RasterBounds(s.facts, precision)
-            .value_planes(s.facts, s.extent, s.bounds, sampled_at(s.facts.view, s.pixel.x, s.pixel.y));
+    const ValuePlanes planes = value_planes(precision, s);
     const double largest = s.facts.perspective ? 1 / s.bounds.nearest : 1,
                  least = s.facts.perspective ? s.least_inverse_depth : 1;
     if (!std::isfinite(planes.of_values) || !(least > planes.of_weights)) return {.may_be_anything = true};

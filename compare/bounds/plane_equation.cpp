@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "compare/bounds/triangle_bounds.h"
 #include "math/rounding.h"
@@ -228,43 +227,6 @@ class WeightErrors {
     std::array<double, 3> of_edge_{};
 };
 
-/// May the triangle hold the place once its corners have moved by as much, in x and in y?
-bool may_hold(const std::array<WindowCorner, 3>& corners, const glm::dvec2& p_raster, double moved_px) {
-    const auto is_beside = [&](const glm::dvec2& normal) {
-        const double at = dot(normal, p_raster), room = moved_px * length_px(normal);
-        double low = unlimited, high = -unlimited;
-        for (const WindowCorner& c : corners) {
-            const double along = normal.x * c.x + normal.y * c.y;
-            low = std::min(low, along), high = std::max(high, along);
-        }
-        return at < low - room || at > high + room;
-    };
-    for (std::size_t i = 0; i < 3; ++i) {
-        const WindowCorner &from = corners[i], &to = corners[(i + 1) % 3];
-        if (is_beside({to.y - from.y, from.x - to.x})) return false;
-    }
-    return !is_beside({1, 0}) && !is_beside({0, 1});
-}
-
-/// Of those three corners that matter; unknown where there are none.
-template <class Matter>
-PlaneEquationBounds worst_of_triangles(std::span<const WindowCorner> polygon, const CornerShift& shift,
-                                       const View& view, CornerSigns signs, const Matter& matter) {
-    std::optional<PlaneEquationBounds> worst;
-    const auto consider = [&](const WindowCorner& p0, const WindowCorner& p1, const WindowCorner& p2) {
-        const PlaneEquationBounds one = PlaneEquation(p0, p1, p2, shift, signs).bounds(view);
-        const PlaneEquationBounds before = worst.value_or(one);
-        worst = {std::max(before.z_error, one.z_error), std::max(before.spread, one.spread)};
-    };
-    for_each_triangle(polygon, [&](const WindowCorner& p, const WindowCorner& q, const WindowCorner& r) {
-        if (!matter(p, q, r)) return;
-        consider(p, q, r);
-        consider(q, r, p);
-        consider(r, p, q);
-    });
-    return worst.value_or(unknown);
-}
-
 }  // namespace
 
 Window guard_band_of(const View& view) {
@@ -292,17 +254,20 @@ std::vector<WindowCorner> window_polygon(const ViewFacts& facts, const TriangleE
 }
 
 PlaneEquationBounds plane_equation_bounds(std::span<const WindowCorner> polygon, const CornerShift& shift,
-                                          const View& view) {
-    return worst_of_triangles(polygon, shift, view, CornerSigns::known, [](const auto&...) { return true; });
-}
-
-PlaneEquationBounds plane_equation_bounds_at(const glm::dvec2& p_raster,
-                                             std::span<const WindowCorner> polygon, const CornerShift& shift,
-                                             const View& view, CornerSigns signs) {
-    return worst_of_triangles(polygon, shift, view, signs,
-                              [&](const WindowCorner& p, const WindowCorner& q, const WindowCorner& r) {
-                                  return may_hold({p, q, r}, p_raster, shift.snap_px + shift.drift_px);
-                              });
+                                          const View& view, CornerSigns signs) {
+    if (polygon.size() < 3) return unknown;
+    PlaneEquationBounds worst;
+    const auto consider = [&](const WindowCorner& p0, const WindowCorner& p1, const WindowCorner& p2) {
+        const PlaneEquationBounds one = PlaneEquation(p0, p1, p2, shift, signs).bounds(view);
+        worst.z_error = std::max(worst.z_error, one.z_error);
+        worst.spread = std::max(worst.spread, one.spread);
+    };
+    for_each_triangle(polygon, [&](const WindowCorner& p, const WindowCorner& q, const WindowCorner& r) {
+        consider(p, q, r);
+        consider(q, r, p);
+        consider(r, p, q);
+    });
+    return worst;
 }
 
 WindowAreas window_areas(std::span<const WindowCorner> polygon, const EdgeShift& shift,

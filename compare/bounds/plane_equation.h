@@ -46,12 +46,7 @@ enum class CornerSigns { known, any };
 
 /// The worst of any three corners of the polygon: however it is cut into triangles, they are among them.
 PlaneEquationBounds plane_equation_bounds(std::span<const WindowCorner> polygon, const CornerShift& shift,
-                                          const View& view);
-
-/// The same of those three alone that may hold this place of the window, each moved by as much as shift says.
-PlaneEquationBounds plane_equation_bounds_at(const glm::dvec2& p_raster,
-                                             std::span<const WindowCorner> polygon, const CornerShift& shift,
-                                             const View& view, CornerSigns signs);
+                                          const View& view, CornerSigns signs = CornerSigns::known);
 
 /// The window grown to the guard band, in units of the image plane.
 Window guard_band_of(const View& view);

@@ -58,27 +58,6 @@ double reach_px(const ViewFacts& facts, const TriangleExtent& extent, double lim
     return std::min(reach, limit);
 }
 
-/// May near or far cut just above a corner or just below it?
-bool is_cut_at_a_corner(const ViewFacts& facts, const TriangleExtent& extent, const TriangleBounds& bounds) {
-    const Camera& c = facts.view.camera;
-    return std::ranges::any_of(extent.size.depth, [&](double depth) {
-        return std::abs(depth - c.near_depth) <= bounds.near_slack ||
-               std::abs(depth - c.far_depth) <= bounds.far_slack;
-    });
-}
-
-/// May a side of the window cut just beside a corner?
-bool is_cut_at_a_side(const ViewFacts& facts, const TriangleExtent& extent, double drift_px) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (extent.size.depth[i] < facts.view.camera.near_depth) continue;  // near cuts it off
-        const glm::dvec2 p = corner_px(facts, extent, i);
-        const auto is_at = [&](double at, double side) { return std::abs(at - side) <= drift_px; };
-        if (is_at(p.x, 0) || is_at(p.x, facts.view.width) || is_at(p.y, 0) || is_at(p.y, facts.view.height))
-            return true;
-    }
-    return false;
-}
-
 double largest_z(std::span<const WindowCorner> polygon) {
     double largest = 0;
     for (const WindowCorner& corner : polygon) largest = std::max(largest, std::abs(corner.z));
@@ -99,6 +78,14 @@ void add_reach_beyond_planes(TriangleBounds& bounds, const ViewFacts& facts,
 }
 
 }  // namespace
+
+bool is_cut_at_a_corner(const ViewFacts& facts, const TriangleExtent& extent, const TriangleBounds& bounds) {
+    const Camera& c = facts.view.camera;
+    return std::ranges::any_of(extent.size.depth, [&](double depth) {
+        return std::abs(depth - c.near_depth) <= bounds.near_slack ||
+               std::abs(depth - c.far_depth) <= bounds.far_slack;
+    });
+}
 
 RasterBounds::RasterBounds(const ViewFacts& facts, const RasterPrecision& precision)
     : precision_(precision), snap_px_(snap_of(precision)) {
@@ -216,23 +203,6 @@ PlaneEquationBounds RasterBounds::z_bounds(std::span<const WindowCorner> polygon
     }
     bounds.z_error += decoding_error_of_z(z, largest_z(polygon));
     return bounds;
-}
-
-ValuePlanes RasterBounds::value_planes(const ViewFacts& facts, const TriangleExtent& extent,
-                                       const TriangleBounds& bounds, const glm::dvec2& p_raster) const {
-    std::vector<WindowCorner> polygon =
-        window_polygon(facts, extent, precision_.clipping, z_range(facts.view.camera, precision_));
-    const double drift = drift_px(bounds, polygon);
-    if (is_cut_at_a_corner(facts, extent, bounds) ||
-        (clips_at_sides() && is_cut_at_a_side(facts, extent, drift)))
-        return {};
-    for (WindowCorner& corner : polygon) corner.z = facts.perspective ? corner.inverse_depth : 1;
-    const CornerShift shift{.snap_px = snap_px_, .drift_px = snap_px_ + drift};
-    const auto errors = [&](CornerSigns signs) {
-        return plane_equation_bounds_at(p_raster, polygon, shift, facts.view, signs);
-    };
-    const PlaneEquationBounds weights = errors(CornerSigns::known);
-    return {weights.z_error, errors(CornerSigns::any).z_error, weights.spread};
 }
 
 double RasterBounds::decoding_error_of_z(const ZRange& z, double z_max) const {

@@ -13,13 +13,8 @@
 
 namespace zproof {
 
-/// What plane equations make of values that are interpolated beside depth. A corner's weight is its inverse
-/// depth; in parallel projections 1.
-struct ValuePlanes {
-    double of_weights = unlimited;  ///< error of the plane through the weights
-    double of_values = unlimited;   ///< of that through weights times values from -1 to 1
-    double spread = 1;              ///< PlaneEquationBounds::spread
-};
+/// May near or far cut just above a corner or just below it?
+bool is_cut_at_a_corner(const ViewFacts& facts, const TriangleExtent& extent, const TriangleBounds& bounds);
 
 class RasterBounds {
   public:
@@ -34,12 +29,10 @@ class RasterBounds {
     double decoding_error(const ViewFacts& facts) const;
     /// Inverse depths of a z in [0, 1]; everything where the buffer holds no z.
     InverseDepthRange storable(const ViewFacts& facts) const;
-    /// At a place of the image; `bounds` are those of this triangle. Unlimited where a piece of next to no
-    /// area may be drawn there.
-    ValuePlanes value_planes(const ViewFacts& facts, const TriangleExtent& extent,
-                             const TriangleBounds& bounds, const glm::dvec2& p_raster) const;
     double background_eps_px() const { return background_eps_px_; }
     double snap_px() const { return snap_px_; }
+    /// The largest displacement of a corner of the polygon, without the snap.
+    double drift_px(const TriangleBounds& bounds, std::span<const WindowCorner> polygon) const;
 
   private:
     int counted_cuts(const ViewFacts& facts, const TriangleExtent& extent) const;
@@ -61,8 +54,6 @@ class RasterBounds {
                       std::span<const WindowCorner> polygon) const;
     double edge_functions_eps_px(const ViewFacts& facts, const TriangleExtent& extent) const;
     double tolerance_eps_px(const ViewFacts& facts, const TriangleExtent& extent) const;
-    /// The largest displacement of a corner of the polygon.
-    double drift_px(const TriangleBounds& bounds, std::span<const WindowCorner> polygon) const;
     /// Adds what weights err by where depth is their mean.
     void add_weights(TriangleBounds& bounds, const ViewFacts& facts, const WindowAreas& areas,
                      std::span<const WindowCorner> polygon) const;

@@ -216,9 +216,26 @@ TEST_P(ValuesOfPlanes, WithACornerOnAPlaneThatClipsMayBeNoNumber) {
     }
 }
 
+/// A side cuts a tip off and leaves two corners that snapping may join. Pieces with both lie along the edges:
+/// elsewhere the plane is known.
+TEST_P(ValuesOfPlanes, AreUnknownOnlyWhereAThinPieceMayBe) {
+    TestScene t(GetParam(), 8, 8, {{{{1, 1, 1}, {8.0001, 4, 1}, {1, 7, 1}}}});
+    answer_everywhere(t.candidate, 0, 1);
+    t.scene.vertices.uv.push_back({{0, 0}, {1, 0}, {0, 1}});
+    for (const std::size_t channel : {uv_u, uv_v})
+        t.candidate.attributes.planes[channel] = Plane<float>({8, 8}, NAN);
+    RasterPrecision precision = planes(8);
+    precision.clipping = Clipping::view_volume;
+    const AttributeCheck check(t.scene, t.view, t.candidate, precision);
+    EXPECT_FALSE(check.first_wrong({4, 5})) << "its centre is on an edge";
+    EXPECT_TRUE(check.first_wrong({2, 2}));
+    EXPECT_TRUE(check.first_wrong({3, 3}));
+}
+
 /// A weight of a millionth of the others' is less than what rounding may take of their plane: it may be 0.
 TEST(WeightsOfPlanes, ThatMayVanishLeaveNoNumber) {
-    TestScene t(Projection::perspective, 16, 16, {{{{-500, 12, 1}, {500, 12, 1}, {8.5, 4.5 - 0x1p-16, 0x1p29}}}});
+    TestScene t(Projection::perspective, 16, 16,
+                {{{{-500, 12, 1}, {500, 12, 1}, {8.5, 4.5 - 0x1p-16, 0x1p29}}}});
     t.view.camera.far_depth = 0x1p30;
     answer_everywhere(t.candidate, 0, 1);
     t.scene.vertices.uv.push_back({{0, 0}, {1, 0}, {0, 1}});

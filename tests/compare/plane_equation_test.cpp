@@ -74,20 +74,15 @@ double largest_share(CornerSigns signs, double* largest_bound) {
         const auto exact = random_corners(rng, signs, rounded);
         auto sizes = exact;
         for (WindowCorner& corner : sizes) corner.z = std::abs(corner.z);
-        const CornerShift shift{.snap_px = snap, .drift_px = 0};
+        const double bound =
+            plane_equation_bounds(sizes, {.snap_px = snap, .drift_px = 0}, wide_view(), signs).z_error;
+        if (!std::isfinite(bound)) continue;
+        *largest_bound = std::max(*largest_bound, bound);
         for (int k = 0; k < 200; ++k) {
             const int x = int(exact[0].x + rng.between(-1, 1) * (exact[1].x - exact[0].x));
             const int y = int(exact[0].y + rng.between(-1, 1) * (exact[2].y - exact[0].y));
-            const auto z = true_z(exact, x, y);
-            if (!z) continue;
-            const double bound =
-                plane_equation_bounds_at({x + 0.5, y + 0.5}, sizes, shift, wide_view(), signs).z_error;
-            if (signs == CornerSigns::known) {
-                EXPECT_EQ(bound, plane_equation_bounds(sizes, shift, wide_view()).z_error);
-            }
-            if (!std::isfinite(bound)) break;
-            *largest_bound = std::max(*largest_bound, bound);
-            largest = std::max(largest, std::abs(interpolated(rounded, x, y) - *z) / bound);
+            if (const auto z = true_z(exact, x, y))
+                largest = std::max(largest, std::abs(interpolated(rounded, x, y) - *z) / bound);
         }
     }
     return largest;
@@ -124,24 +119,6 @@ TEST(PlaneEquation, APolygonIsAsBadAsItsThinnestThreeCorners) {
     EXPECT_EQ(whole.z_error, plane_equation_bounds(thin, {snap, 1e-6}, wide_view()).z_error);
     const std::array<WindowCorner, 3> plain{quad[0], quad[1], quad[3]};
     EXPECT_GT(whole.z_error, 10 * plane_equation_bounds(plain, {snap, 1e-6}, wide_view()).z_error);
-}
-
-/// What cannot hold the place is not asked: neither a thin piece beside it, nor one without area.
-TEST(PlaneEquation, AtAPlaceThoseThreeCornersCountThatMayHoldIt) {
-    const std::array<WindowCorner, 4> quad{
-        WindowCorner{0, 0, 0.1}, {100, 0, 0.2}, {100, 0.01, 0.2}, {0, 100, 0.4}};
-    const auto at = [&](double x, double y, double drift) {
-        return plane_equation_bounds_at({x, y}, quad, {snap, drift}, wide_view(), CornerSigns::known).z_error;
-    };
-    const std::array<WindowCorner, 3> plain{quad[0], quad[1], quad[3]}, other{quad[0], quad[2], quad[3]};
-    const double of_plain = plane_equation_bounds(plain, {snap, 1e-6}, wide_view()).z_error,
-                 of_other = plane_equation_bounds(other, {snap, 1e-6}, wide_view()).z_error;
-    EXPECT_EQ(at(20, 20, 1e-6), std::max(of_plain, of_other));
-    EXPECT_GT(at(99.995, 0.006, 1e-6), 10 * at(20, 20, 1e-6));
-    EXPECT_LT(at(20, 20, 0.05), unlimited) << "the thin piece may vanish, but elsewhere";
-    EXPECT_EQ(at(99.995, 0.006, 0.05), unlimited);
-    EXPECT_LT(at(20, -0.001, 1e-6), unlimited) << "corners may move by the snap";
-    EXPECT_EQ(at(20, -0.01, 1e-6), unlimited) << "none may hold it";
 }
 
 /// The camera's window is [-1, 1]^2 at depth 1, near is at 0.1.
