@@ -68,8 +68,7 @@ ValuePlanes value_planes(const RasterPrecision& precision, const Surface& s) {
     const bool is_cut_at_a_side = raster.clips_at_sides() && has_corner_at_a_side(s.facts, s.extent, drift);
     if (is_cut_at_a_corner(s.facts, s.extent, s.bounds) || is_cut_at_a_side) return {};
     for (WindowCorner& corner : polygon) corner.z = s.facts.perspective ? corner.inverse_depth : 1;
-    // planes may be those of the snapped corners
-    const CornerShift shift{.snap_px = raster.snap_px(), .drift_px = raster.snap_px() + drift};
+    const CornerShift shift{.snap_px = raster.snap_px(), .drift_px = drift};
     const std::vector<PieceCorners> pieces =
         pieces_at(sampled_at(view, s.pixel.x, s.pixel.y), polygon, shift.snap_px + shift.drift_px);
     if (pieces.empty()) return {};

@@ -85,7 +85,7 @@ class PlaneEquation {
     }
 
     PlaneEquationBounds bounds(const View& view) const {
-        const double drift = shift_.drift_px;
+        const double drift = moved_px();
         const double around = length_px(e1_) + length_px(e2_) + length_px({e1_.x + e2_.x, e1_.y + e2_.y});
         const double area = std::abs(e1_.x * e2_.y - e1_.y * e2_.x) -
                             2 * drift * (length_px(e1_) + length_px(e2_)) - 8 * drift * drift;
@@ -107,11 +107,13 @@ class PlaneEquation {
         glm::dvec2 a1, a2;
     };
 
+    /// The plane may be that of the snapped corners.
+    double moved_px() const { return shift_.snap_px + shift_.drift_px; }
     double rise(double from, double to) const {
         return signs_ == CornerSigns::known ? to - from : std::abs(to) + std::abs(from);
     }
     glm::dvec2 widen(const glm::dvec2& e) const {
-        return {std::abs(e.x) + 2 * shift_.drift_px, std::abs(e.y) + 2 * shift_.drift_px};
+        return {std::abs(e.x) + 2 * moved_px(), std::abs(e.y) + 2 * moved_px()};
     }
 
     /// The value of a gradient's component and the sum of its terms' absolute values, each at its largest.
@@ -120,7 +122,7 @@ class PlaneEquation {
     };
     Gradient gradient(double e1, double e2, double a1, double a2, double area) const {
         const double rise1 = std::abs(rise1_) + 2 * corner(), rise2 = std::abs(rise2_) + 2 * corner();
-        const double moved = 2 * shift_.drift_px * (rise1 + rise2) + 2 * corner() * (a1 + a2);
+        const double moved = 2 * moved_px() * (rise1 + rise2) + 2 * corner() * (a1 + a2);
         const double numerator = signs_ == CornerSigns::known ? std::abs(rise1_ * e2 - rise2_ * e1)
                                                               : std::abs(rise1_ * e2) + std::abs(rise2_ * e1);
         return {(numerator + moved) / area, (rise1 * a2 + rise2 * a1) / area};
@@ -132,7 +134,7 @@ class PlaneEquation {
         const double sixfold = gamma(6, u_float32) * (1 + s.lost);
         const Gradient dx = gradient(e1_.y, e2_.y, s.a1.y, s.a2.y, s.area);
         const Gradient dy = gradient(e1_.x, e2_.x, s.a1.x, s.a2.x, s.area);
-        const double reach = shift_.snap_px + 2 * shift_.drift_px;
+        const double reach = shift_.snap_px + 2 * moved_px();
         const double across = s.a1.x + s.a2.x + reach, down = s.a1.y + s.a2.y + reach;
         const double slope_x = (1 + s.lost) * dx.most + sixfold * dx.terms;
         const double slope_y = (1 + s.lost) * dy.most + sixfold * dy.terms;

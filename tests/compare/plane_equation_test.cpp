@@ -98,6 +98,38 @@ TEST(PlaneEquation, NoFloat32PlaneErrsByMoreThanItsBoundAndSomeErrByAShareOfIt) 
     }
 }
 
+/// A sliver through the pixel's centre; its corners as they are, and on the grid.
+std::array<std::array<WindowCorner, 3>, 2> random_sliver(Rng& rng, int x, int y) {
+    const double size = std::exp2(rng.between(0, 10)), turn = rng.between(0, 6.3),
+                 height = std::exp2(-rng.between(0, 9)) / 3;
+    const double along[] = {-size, size, rng.between(-size, size)}, across[] = {-height, -height, 2 * height};
+    const auto on_grid = [](double px) { return std::nearbyint(px * 256) / 256; };
+    std::array<std::array<WindowCorner, 3>, 2> both;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double u = along[i] * std::cos(turn) - across[i] * std::sin(turn),
+                     v = along[i] * std::sin(turn) + across[i] * std::cos(turn);
+        both[0][i] = {float(x + 0.5 + u), float(y + 0.5 + v), float(rng.between(0.01, 1))};
+        both[1][i] = {on_grid(both[0][i].x), on_grid(both[0][i].y), both[0][i].z};
+    }
+    return both;
+}
+
+/// Beside the plane of the snapped corners, which lies within their displacement.
+TEST(PlaneEquation, NoneOfSnappedCornersErrsByMoreOnSlivers) {
+    int judged = 0;
+    for (std::uint32_t seed = 0; seed < 100'000; ++seed) {
+        Rng rng(seed);
+        const int x = int(rng.between(100, 1800)), y = int(rng.between(100, 1000));
+        const auto [corners, on_grid] = random_sliver(rng, x, y);
+        const auto z = true_z(on_grid, x, y);
+        const double bound = plane_equation_bounds(corners, {snap, 0}, wide_view()).z_error;
+        if (!z || !std::isfinite(bound)) continue;
+        ++judged;
+        EXPECT_LE(std::abs(interpolated(on_grid, x, y) - *z), bound) << seed;
+    }
+    EXPECT_GT(judged, 50'000);
+}
+
 TEST(PlaneEquation, OfThreeCornersOnALineNothingIsKnown) {
     const std::array<WindowCorner, 3> line{WindowCorner{0, 0, 0.5}, {10, 10, 0.6}, {30, 30, 0.7}};
     EXPECT_EQ(plane_equation_bounds(line, {snap, 1e-4}, wide_view()).z_error, unlimited);
