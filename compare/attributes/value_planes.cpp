@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "compare/bounds/raster_bounds.h"
@@ -14,7 +15,7 @@ namespace {
 
 using PieceCorners = std::array<WindowCorner, 3>;
 
-/// May a side of the window cut just beside a corner, for all that rounding leaves?
+/// May rounding let a side of the window cut a corner off, or leave it?
 bool has_corner_at_a_side(const ViewFacts& facts, const TriangleExtent& extent, double drift_px) {
     for (std::size_t i = 0; i < 3; ++i) {
         if (extent.size.depth[i] < facts.view.camera.near_depth) continue;  // near cuts it off
@@ -44,19 +45,6 @@ bool may_hold(const PieceCorners& corners, const glm::dvec2& p_raster, double mo
     return !is_beside({1, 0}) && !is_beside({0, 1});
 }
 
-/// Those three corners that may hold the place.
-std::vector<PieceCorners> pieces_at(const glm::dvec2& p_raster, const std::vector<WindowCorner>& polygon,
-                                    double moved_px) {
-    std::vector<PieceCorners> pieces;
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-        for (std::size_t j = i + 1; j < polygon.size(); ++j)
-            for (std::size_t k = j + 1; k < polygon.size(); ++k)
-                if (const PieceCorners corners{polygon[i], polygon[j], polygon[k]};
-                    may_hold(corners, p_raster, moved_px))
-                    pieces.push_back(corners);
-    return pieces;
-}
-
 }  // namespace
 
 ValuePlanes value_planes(const RasterPrecision& precision, const Surface& s) {
@@ -69,17 +57,19 @@ ValuePlanes value_planes(const RasterPrecision& precision, const Surface& s) {
     if (is_cut_at_a_corner(s.facts, s.extent, s.bounds) || is_cut_at_a_side) return {};
     for (WindowCorner& corner : polygon) corner.z = s.facts.perspective ? corner.inverse_depth : 1;
     const CornerShift shift{.snap_px = raster.snap_px(), .drift_px = drift};
-    const std::vector<PieceCorners> pieces =
-        pieces_at(sampled_at(view, s.pixel.x, s.pixel.y), polygon, shift.snap_px + shift.drift_px);
-    if (pieces.empty()) return {};
-    ValuePlanes worst{.of_weights = 0, .of_values = 0};
-    for (const PieceCorners& piece : pieces) {
+    const glm::dvec2 p_raster = sampled_at(view, s.pixel.x, s.pixel.y);
+    std::optional<ValuePlanes> worst;
+    for_each_triangle(polygon, [&](const WindowCorner& p, const WindowCorner& q, const WindowCorner& r) {
+        const PieceCorners piece{p, q, r};
+        if (!may_hold(piece, p_raster, shift.snap_px + shift.drift_px)) return;
         const PlaneEquationBounds weights = plane_equation_bounds(piece, shift, view),
                                   values = plane_equation_bounds(piece, shift, view, CornerSigns::any);
-        worst = {std::max(worst.of_weights, weights.z_error), std::max(worst.of_values, values.z_error),
-                 std::max(worst.spread, weights.spread)};
-    }
-    return worst;
+        const ValuePlanes here{weights.z_error, values.z_error, weights.spread},
+            before = worst.value_or(here);
+        worst = {std::max(before.of_weights, here.of_weights), std::max(before.of_values, here.of_values),
+                 std::max(before.spread, here.spread)};
+    });
+    return worst.value_or(ValuePlanes{});
 }
 
 }  // namespace zproof

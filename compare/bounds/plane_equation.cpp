@@ -58,14 +58,6 @@ ClipPolygon after_clipping(const ViewFacts& facts, const TriangleExtent& extent,
 
 double length_px(const glm::dvec2& v) { return std::abs(v.x) + std::abs(v.y); }
 
-/// All triangles of three corners.
-template <class Act>
-void for_each_triangle(std::span<const WindowCorner> polygon, const Act& act) {
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-        for (std::size_t j = i + 1; j < polygon.size(); ++j)
-            for (std::size_t k = j + 1; k < polygon.size(); ++k) act(polygon[i], polygon[j], polygon[k]);
-}
-
 /// One triangle of the window, as Cramer's rule meets it: edges e1 = p0 - p1 and e2 = p2 - p0 with their
 /// rises in z.
 class PlaneEquation {

@@ -25,6 +25,14 @@ std::vector<WindowCorner> window_polygon(const ViewFacts& facts, const TriangleE
 /// Clipped corners of a guard band lie within it, in x and y (Direct3D 11.3, 15.16: 16.8 coordinates).
 inline constexpr double guard_band_px = 32768;
 
+/// All triangles of three corners.
+template <class Act>
+void for_each_triangle(std::span<const WindowCorner> polygon, const Act& act) {
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        for (std::size_t j = i + 1; j < polygon.size(); ++j)
+            for (std::size_t k = j + 1; k < polygon.size(); ++k) act(polygon[i], polygon[j], polygon[k]);
+}
+
 /// How far corners move before depth is interpolated, and what rounds their z.
 struct CornerShift {
     double snap_px = 0;       ///< onto the sub-pixel grid, which plane equations need not follow
