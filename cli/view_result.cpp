@@ -7,6 +7,7 @@
 
 #include "cli/arguments.h"
 #include "compare/explanation/explain.h"
+#include "frame/number_text.h"
 #include "program/samples.h"
 #include "program/shell_line.h"
 
@@ -132,6 +133,17 @@ std::string undecidable_words(const Verdict& verdict) {
     return text.str();
 }
 
+/// What stands beside the verdict on the page and in the terminal.
+std::vector<std::string> notes_on(const ViewContext& context, const Verdict& verdict) {
+    std::vector<std::string> notes = context.scene.notes;
+    if (const std::string note = sample_note(context.view.sample); !note.empty()) notes.push_back(note);
+    if (verdict.open_attributes > 0)
+        notes.push_back("attributes not judged at some pixels: " + grouped(verdict.open_attributes) + " of " +
+                        grouped(verdict.classes.size().pixel_count()) +
+                        ", where rounding may leave the plane of a triangle no area");
+    return notes;
+}
+
 ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, std::span<const Finding> told,
                           const Gate& gate, const CandidateFrame& candidate) {
     ViewResult result = unjudged(context.source, Outcome::proven, "");
@@ -150,9 +162,7 @@ ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, st
     result.reference_defects = verdict.reference_defects;
     result.adjudicated = verdict.adjudicated;
     result.exact = verdict.exact;
-    result.notes = context.scene.notes;
-    if (const std::string note = sample_note(context.view.sample); !note.empty())
-        result.notes.push_back(note);
+    result.notes = notes_on(context, verdict);
     result.worst = stories(context, context.renderers.candidate,
                            worst_of(hold_to_waivers(context, told, gate, result), most_reported_findings));
     if (undecidable_count(verdict) > 0) {

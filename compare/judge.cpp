@@ -52,20 +52,30 @@ bool is_wanted(PixelClass verdict, const JudgeOptions& options) {
                                                                    : !passes(verdict);
 }
 
-/// Pixels that agree but for an attribute of the candidate.
-std::vector<UndecidedPixel> agreeing_with_wrong_attribute(const FramePair& frames,
-                                                          const Plane<PixelClass>& classes) {
+/// Pixels that agree but for an attribute of the candidate. Counts those whose attributes are open.
+std::vector<UndecidedPixel> agreeing_with_wrong_attribute(const FramePair& frames, Verdict& verdict) {
     const BoundedFrame& candidate = frames.candidate;
     if (!candidate.frame.attributes.are_given()) return {};
     const AttributeCheck check(frames.scene, frames.view, candidate.frame, candidate.precision);
-    tbb::enumerable_thread_specific<std::vector<UndecidedPixel>> found;
+    struct Found {
+        std::vector<UndecidedPixel> wrong;
+        std::uint64_t open = 0;
+    };
+    tbb::enumerable_thread_specific<Found> found;
     tbb::parallel_for(0, frames.view.height, [&](int y) {
-        for (int x = 0; x < frames.view.width; ++x)
-            if (classes.at(x, y) == PixelClass::agree && check.first_wrong({x, y}))
-                found.local().push_back({.place = {x, y}, .is_id_undecided = false});
+        Found& here = found.local();
+        for (int x = 0; x < frames.view.width; ++x) {
+            if (verdict.classes.at(x, y) != PixelClass::agree) continue;
+            const CheckedAttributes said = check.at({x, y});
+            here.open += said.is_open;
+            if (said.wrong) here.wrong.push_back({.place = {x, y}, .is_id_undecided = false});
+        }
     });
     std::vector<UndecidedPixel> all;
-    for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+    for (const Found& part : found) {
+        all.insert(all.end(), part.wrong.begin(), part.wrong.end());
+        verdict.open_attributes += part.open;
+    }
     return all;
 }
 
@@ -97,7 +107,7 @@ Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candida
         record(pixel, agreement.undecided[i].place);
         count(tallies.local(), pixel, agreement.undecided[i]);
     });
-    const std::vector<UndecidedPixel> wrong = agreeing_with_wrong_attribute(frames, verdict.classes);
+    const std::vector<UndecidedPixel> wrong = agreeing_with_wrong_attribute(frames, verdict);
     check_pixels(frames, wrong,
                  [&](std::size_t i, const PixelCheck& pixel) { record(pixel, wrong[i].place); });
     verdict.counts[std::size_t(PixelClass::agree)] -= wrong.size();

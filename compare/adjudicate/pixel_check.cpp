@@ -87,7 +87,7 @@ void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixel
             hold(pixel.candidate, pixel.candidate_decision);
             hold(pixel.reference, pixel.reference_decision);
         }
-        pixel.wrong_attribute = attributes.first_wrong(place);
+        pixel.wrong_attribute = attributes.at(place).wrong;
         tell(i, pixel);
         return 0.0;
     };

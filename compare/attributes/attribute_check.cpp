@@ -75,14 +75,14 @@ AttributeCheck::AttributeCheck(const Scene& scene, const View& view, const Frame
       shown_bounds_(ViewBounds::of_shown(view, precision)),
       judged_(judged_attributes(scene, view, frame.attributes, precision)) {}
 
-std::optional<WrongAttribute> AttributeCheck::first_wrong(const PixelCoord& pixel) const {
+CheckedAttributes AttributeCheck::at(const PixelCoord& pixel) const {
     const auto id = std::uint32_t(frame_.primitive.at(pixel.x, pixel.y));
-    if (judged_.empty() || id >= scene_.triangles.size()) return std::nullopt;
+    if (judged_.empty() || id >= scene_.triangles.size()) return {};
     const Surface surface = surface_at(facts_, varying_bounds_, corners_of(scene_, id), pixel);
     const SampledSurface sampled = sampled_from(surface);
     for (const Attribute attribute : judged_)
-        if (auto wrong = first_wrong_of(sampled, values_at(pixel, attribute).values)) return wrong;
-    return std::nullopt;
+        if (auto wrong = first_wrong_of(sampled, values_at(pixel, attribute).values)) return {.wrong = wrong};
+    return {.is_open = sampled.errors.may_be_anything};
 }
 
 SampledSurface AttributeCheck::sampled_from(const Surface& surface) const {

@@ -31,15 +31,20 @@ struct AttributeValues {
     std::vector<std::vector<ReadValue>> alternatives{};
 };
 
+/// What is said of a pixel's attributes.
+struct CheckedAttributes {
+    std::optional<WrongAttribute> wrong{};  ///< the first one; nothing where all are within their bounds
+    bool is_open = false;                   ///< the precision leaves open what they are: none can be wrong
+};
+
 class AttributeCheck {
   public:
     /// Scene and frame must outlive it.
     AttributeCheck(const Scene& scene, const View& view, const Frame& frame, const Precision& precision);
 
-    /// The first wrong value at a pixel whose triangle is admissible there and whose depth is right; nothing
-    /// where all values are within their bounds, at background, and where nothing is judged. In double with
-    /// an error bound, then by rationals.
-    std::optional<WrongAttribute> first_wrong(const PixelCoord& pixel) const;
+    /// At a pixel whose triangle is admissible and whose depth is right; at background, and where nothing is
+    /// judged, nothing is wrong or open. In double with an error bound, then by rationals.
+    CheckedAttributes at(const PixelCoord& pixel) const;
 
     /// As the frame tells them, and the scene holds them at the triangle's corners.
     AttributeValues values_at(const PixelCoord& pixel, Attribute attribute) const;

@@ -102,6 +102,25 @@ TEST_F(StoredFrames, AreJudgedByTheirAttributesToo) {
     EXPECT_NE(told.out.find("an attribute is not: bary.u is "), std::string::npos) << told.out;
 }
 
+/// The planes of triangles that reach across the guard band promise nothing of what lies between corners.
+TEST_F(StoredFrames, SayAtHowManyPixelsAttributesAreOpen) {
+    const Words render{"render",  "guard_band", "-o",       "far", "--attributes",
+                       "--width", "64",         "--height", "48"};
+    ASSERT_EQ(run(folder, render).exit_code, 0);
+    const auto notes_by = [&](const std::string& precision) {
+        const Ran ran = run(
+            folder, {"compare", "far/ahead.exr", "guard_band", "--view", "ahead", "--precision", precision});
+        EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+        return only_view().at("notes");
+    };
+    const std::string judged = "attributes judged: bary, position",
+                      open =
+                          "attributes not judged at some pixels: 2,847 of 3,072, where rounding may leave "
+                          "the plane of a triangle no area";
+    EXPECT_EQ(notes_by("raster"), json({judged}));
+    EXPECT_EQ(notes_by("d3d11"), json({open, judged}));
+}
+
 /// A channel that looks like an attribute and is none is named, whoever wrote the file; a layer's are judged.
 TEST_F(StoredFrames, SayWhichChannelsAreNearlyAttributes) {
     const Frame frame = read_frame(folder.path() / "zproof/frame-all.exr");

@@ -94,7 +94,9 @@ bool may_be_nothing(TestScene t, const Precision& precision, const PixelCoord& p
     t.scene.vertices.uv.push_back({{0, 0}, {1, 0}, {0, 1}});
     for (const std::size_t channel : {uv_u, uv_v})
         t.candidate.attributes.planes[channel] = Plane<float>(size, NAN);
-    return !AttributeCheck(t.scene, t.view, t.candidate, precision).first_wrong(pixel);
+    const CheckedAttributes said = AttributeCheck(t.scene, t.view, t.candidate, precision).at(pixel);
+    EXPECT_EQ(said.is_open, !said.wrong);
+    return said.is_open;
 }
 
 RasterPrecision clipping_at(Clipping clipping) {
@@ -166,7 +168,7 @@ TEST_P(ValuesOfPlanes, InFloat32KeepTheirPromiseAndBeyondItAreWrong) {
         const AttributeCheck check(t.scene, t.view, t.candidate, planes(bits));
         const auto is_wrong = [&](double given) {
             t.candidate.attributes.planes[uv_u].at(x, y) = float(given);
-            return check.first_wrong({x, y});
+            return check.at({x, y}).wrong;
         };
         const auto bound = is_wrong(1e30);
         ++(bound ? judged : unknown);
@@ -245,7 +247,7 @@ TEST_P(ValuesOfPlanes, MayUnderflow) {
     t.scene.vertices.uv.assign(1, {3, {1e-38f, 1e-36f}});
     for (const std::size_t channel : {uv_u, uv_v})
         t.candidate.attributes.planes[channel] = Plane<float>({8, 8}, 0);
-    const auto wrong = AttributeCheck(t.scene, t.view, t.candidate, planes(8)).first_wrong({2, 2});
+    const auto wrong = AttributeCheck(t.scene, t.view, t.candidate, planes(8)).at({2, 2}).wrong;
     ASSERT_TRUE(wrong);
     EXPECT_EQ(wrong->channel, uv_v);
 }

@@ -46,8 +46,7 @@ TEST_P(WallAttributes, RightOnesAgree) { EXPECT_EQ(t.verdict().counts[index(Pixe
 /// 1/512 px is 1/131072 of the wall's side; 3 u are of the depth's rounding, twice, and of float32.
 TEST_P(WallAttributes, TheBoundIsSnapAndRounding) {
     u_at_1_2(t) = 0;
-    const auto wrong =
-        AttributeCheck(t.scene, t.view, t.candidate, t.candidate_precision).first_wrong({1, 2});
+    const auto wrong = AttributeCheck(t.scene, t.view, t.candidate, t.candidate_precision).at({1, 2}).wrong;
     ASSERT_TRUE(wrong);
     const double by_hand = 1.0 / 131072 + 3 * 0x1p-24;
     EXPECT_EQ(wrong->channel, bary_u);

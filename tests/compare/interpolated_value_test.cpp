@@ -38,7 +38,7 @@ struct OnePixel {
         t.candidate.attributes = {};
         for (const double value : values)
             t.candidate.attributes.planes[channel++] = Plane<float>({1, 1}, float(value));
-        return AttributeCheck(t.scene, t.view, t.candidate, precision).first_wrong({0, 0});
+        return AttributeCheck(t.scene, t.view, t.candidate, precision).at({0, 0}).wrong;
     }
     bool is_wrong(std::size_t channel, std::initializer_list<double> values) {
         return wrong(channel, values).has_value();

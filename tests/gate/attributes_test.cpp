@@ -190,16 +190,16 @@ TEST_P(AttributesOf, APixelMayUseAllOfTheBoundAndNoMore) {
                 float& value = frame.attributes.planes[channel].at(x, y);
                 const float right = value;
                 value = 1e6f;
-                const auto wrong = check.first_wrong({x, y});
+                const auto wrong = check.at({x, y}).wrong;
                 value = right;
                 const float step = std::nextafter(std::abs(right), HUGE_VALF) - std::abs(right);
                 if (!wrong || 0.1 * (wrong->high - wrong->low) < 8 * step) continue;
                 ++tried;
                 const auto using_share = [&](double share) {
                     value = float(wrong->truth + share * (wrong->high - wrong->truth));
-                    const bool is_wrong = check.first_wrong({x, y}).has_value();
+                    const bool is_wrong = check.at({x, y}).wrong.has_value();
                     value = float(wrong->truth + share * (wrong->low - wrong->truth));
-                    const bool is_wrong_below = check.first_wrong({x, y}).has_value();
+                    const bool is_wrong_below = check.at({x, y}).wrong.has_value();
                     value = right;
                     return is_wrong + is_wrong_below;
                 };
