@@ -15,7 +15,7 @@ void CauseVote::note(const ViewResult& view) {
     if (known == causes_.end()) known = causes_.insert(known, {cause.name, cause.look_at, cause.fitted});
     if (known->fitted != cause.fitted) known->fitted.clear();
     ++known->views;
-    if (cause.saved_share <= 0) return;
+    if (cause.saved_share == 0) return;
     known->saved_bits += cause.saved_bits;
     known->all_bits += cause.saved_bits / cause.saved_share;
 }

@@ -145,7 +145,9 @@ class Diagnoser {
             std::erase_if(tests, fails);
         }
         count_open_bits(tests);
-        std::erase_if(tests, [](const HypothesisTest& t) { return t.outcome.saved_bits <= 0; });
+        // a renderer's rule holds in every view, also where it permits much and is seen little
+        std::erase_if(tests,
+                      [](const HypothesisTest& t) { return !t.speaks_of_all && t.outcome.saved_bits <= 0; });
         std::erase_if(tests, [&](const HypothesisTest& t) {
             const EarlierCause& before = *known(t);
             return before.saved_bits + t.outcome.saved_bits <
@@ -514,8 +516,10 @@ Diagnosis diagnosed(const DiagnosisInput& input, const Verdict& verdict, std::sp
                     std::span<const EarlierCause> earlier) {
     if (!earlier.empty()) {
         Diagnoser quick(input, verdict, hypotheses_without_fitted_cameras(input), without);
-        if (std::ranges::all_of(earlier, [&](const EarlierCause& e) { return quick.knows(e); }))
+        if (std::ranges::all_of(earlier, [&](const EarlierCause& e) { return quick.knows(e); })) {
             if (const std::optional<Diagnosis> known = quick.by_earlier(earlier)) return *known;
+            earlier = {};
+        }
     }
     Diagnoser diagnoser(input, verdict, all_hypotheses(input), without);
     if (const std::optional<Diagnosis> known = diagnoser.by_earlier(earlier)) return *known;

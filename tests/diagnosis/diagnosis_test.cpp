@@ -197,6 +197,18 @@ TEST(Diagnosis, BelievesEarlierViewsThatTrianglesWereMovedWhereOnlyDepthsAreWron
     expect_cause(diagnosis_of_few_bits(0, earlier, "t_junctions"), "only 8 sub-pixel bits");
 }
 
+/// A renderer has as many bits in one view as in another. Here telling the few defects one by one is shorter.
+TEST(Diagnosis, TakesARuleOfTheRendererAlsoWhereItSparesNothing) {
+    expect_cause(diagnosis_of_few_bits(2, {}, "off_axis"), "");
+    const std::array earlier{EarlierCause{"only 8 sub-pixel bits", 9e6, 1e7}};
+    const auto diagnosis = diagnosis_of_few_bits(2, earlier, "off_axis");
+    expect_cause(diagnosis, "only 8 sub-pixel bits");
+    EXPECT_LT(diagnosis->cause->saved_bits, 0);
+    EXPECT_EQ(diagnosis->cause->contradicted, 0u);
+    const std::array poor{EarlierCause{"only 8 sub-pixel bits", 7.505e6, 1e7}};
+    expect_cause(diagnosis_of_few_bits(2, poor, "off_axis"), "");
+}
+
 TEST(Diagnosis, DoesNotBelieveEarlierViewsWhereAPixelIsLeft) {
     const DiagnosisFixture fixture("room", 0);
     const std::array earlier{EarlierCause{"depth is scaled by a constant", 9e6, 1e7}};
