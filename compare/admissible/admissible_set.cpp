@@ -34,14 +34,25 @@ std::optional<TriangleImage<Number>> image_of_neighbour(const ViewRay<Number>& r
         return image_of(ray, corners<Number>(neighbour.p_world));
 }
 
+/// Edge functions in proportion to the weights that are held against a tolerance.
+template <class Number>
+std::array<Affine<Number>, 3> weights_of(const ViewRay<Number>& ray, const Neighbour& n) {
+    const Corners<Number> corners = zproof::corners<Number>(n.p_world);
+    std::array<Affine<Number>, 3> weights = edges_of(ray, corners);
+    if (n.has_image_weights)
+        for (size_t i = 0; i < 3; ++i)
+            weights[i] = magnitude(dot(cross(ray.step_x, ray.step_y), corners[i] - ray.origin)) * weights[i];
+    return weights;
+}
+
 /// How far beyond its edges a triangle counts as inside at the centre, by its weights' tolerance.
-double tolerated_px(const Neighbour& n) {
+double tolerated_px(const Neighbourhood& around, const Neighbour& n) {
+    if (n.weight_tolerance == 0) return 0;
+    const auto weights = weights_of(ViewRay<double>(around.view, around.x, around.y), n);
+    const double allowed = n.weight_tolerance * std::abs(weights[0].c + weights[1].c + weights[2].c);
     double largest = 0;
-    if (n.weight_tolerance > 0)
-        for (const Affine<double>& f : n.edges)
-            largest =
-                std::max(largest, n.weight_tolerance * std::abs(n.edges[0].c + n.edges[1].c + n.edges[2].c) /
-                                      (std::abs(f.a) + std::abs(f.b)));
+    for (const Affine<double>& f : weights)
+        largest = std::max(largest, allowed / (std::abs(f.a) + std::abs(f.b)));
     return largest;
 }
 
@@ -82,18 +93,18 @@ template <class Number>
 bool AdmissibleSet<Number>::is_inside_by_rounding(size_t index) {
     const Neighbour& n = around_.neighbours[index];
     if (!n.may_be_shown_by_rounding()) return false;
-    const double outwards_px = std::ranges::max(n.edge_rounding_px) + tolerated_px(n),
+    const double outwards_px = std::ranges::max(n.edge_rounding_px) + tolerated_px(around_, n),
                  moved_px = std::max(0.0, std::min(n.bounds.eps_px, around_.eps_px) - outwards_px);
     if (!std::isfinite(outwards_px + moved_px)) return false;
-    const auto edges = edges_of(ray_, corners<Number>(n.p_world));
-    const Affine<Number> sum = edges[0] + edges[1] + edges[2];
+    const auto weights = weights_of(ray_, n);
+    const Affine<Number> sum = weights[0] + weights[1] + weights[2];
     for (const bool is_turned : {false, true}) {
         std::optional<Region<Number>> region =
             Region<Number>::square(sides_of_square(moved_px), Number(moved_px));
         for (size_t i = 0; i < 3; ++i) {
-            Affine<Number> f = edges[i] + Number(n.weight_tolerance) * sum;
+            Affine<Number> f = weights[i] + Number(n.weight_tolerance) * sum;
             if (is_turned) f = -f;
-            f.c = f.c + Number(n.edge_rounding_px[i]) * (magnitude(edges[i].a) + magnitude(edges[i].b));
+            f.c = f.c + Number(n.edge_rounding_px[i]) * (magnitude(weights[i].a) + magnitude(weights[i].b));
             if (region) region = region->inside(*new_line(f));
         }
         if (region) return true;

@@ -51,7 +51,7 @@ CornerLimits corner_limits(const Neighbour& n, Projection projection, double z) 
 
 /// May a pixel that is cut by near and far show this depth, which nothing else bounds?
 bool is_between_planes(const Camera& camera, const ViewBounds& bounds, const Neighbour& n, double z) {
-    if ((z < 0 && camera.near_depth >= 0) || !bounds.can_be_stored(z)) return false;
+    if ((z < 0 && camera.projection == Projection::perspective) || !bounds.can_be_stored(z)) return false;
     // a plane, a distance, where it begins, and their sum are rounded before they are compared
     const double rounding = gamma(4, unit_roundoff_float32), near = bounds.near_depth(),
                  far = camera.far_depth, room = bounds.step_room(z);

@@ -83,30 +83,12 @@ InterpolationErrors errors_of(const RasterPrecision& precision, const Surface& s
     return errors;
 }
 
-/// Absolute errors of the three weights of image_of(), added up.
-double weights_error(const RayPrecision& precision, const Surface& s) {
-    const double unit = unit_of(precision.arithmetic);
+/// By the pixel's own ray.
+double weights_error_at(const RayPrecision& precision, const Surface& s) {
     const auto in_glm = [](const Vector3<double>& v) { return glm::dvec3(v.x, v.y, v.z); };
-    const glm::dvec3 origin = in_glm(s.ray.origin), direction = abs(in_glm(s.ray.direction));
     std::array<glm::dvec3, 3> v;
-    for (std::size_t i = 0; i < 3; ++i) v[i] = glm::dvec3(s.p_world()[i]) - origin;
-    const glm::dvec3 e1 = v[1] - v[0], e2 = v[2] - v[0];
-    double sum = 0;
-    switch (precision.test) {
-        case RayTest::pluecker:
-            for (std::size_t i = 0; i < 3; ++i) {
-                const glm::dvec3 &a = v[i], &b = v[(i + 1) % 3];
-                sum += dot(abs_cross(b - a, b + a), direction);
-            }
-            return gamma(7, unit) * sum / 2;
-        case RayTest::moeller_trumbore:
-            sum = dot(abs_cross(e1, v[0]) + abs_cross(e2, v[0]) + abs_cross(e1, e2), direction);
-            return 2 * gamma(10, unit) * sum;
-        case RayTest::woop:
-            return sheared_weights_error({sum_abs(v[0]), sum_abs(v[1]), sum_abs(v[2])}, sum_abs(direction),
-                                         unit);
-    }
-    return unlimited;
+    for (std::size_t i = 0; i < 3; ++i) v[i] = glm::dvec3(s.p_world()[i]) - in_glm(s.ray.origin);
+    return weights_error(precision, v, glm::dvec3(0), abs(in_glm(s.ray.direction)));
 }
 
 /// A Pluecker test lets weights down to -2 u of their sum.
@@ -114,7 +96,7 @@ InterpolationErrors errors_of(const RayPrecision& precision, const Surface& s, d
     const double unit = unit_of(precision.arithmetic), products = gamma(8, unit) + unit_roundoff_float32;
     return {.relative = products,
             .of_products = products,
-            .of_weights = s.least_sum > 0 ? weights_error(precision, s) / s.least_sum : unlimited,
+            .of_weights = s.least_sum > 0 ? weights_error_at(precision, s) / s.least_sum : unlimited,
             .negative = 3 * (precision.barycentric_tolerance + 2 * unit),
             .sampled = SampledPlaces::anywhere};
 }

@@ -64,6 +64,13 @@ double largest_z(std::span<const WindowCorner> polygon) {
     return largest;
 }
 
+/// Only perspectives ask for it.
+double highest_inverse_depth(std::span<const WindowCorner> polygon) {
+    double highest = 0;
+    for (const WindowCorner& corner : polygon) highest = std::max(highest, corner.inverse_depth);
+    return highest;
+}
+
 /// Weights of which some are negative, by `negative` in all, reach beyond the sides that near and far made.
 void add_reach_beyond_planes(TriangleBounds& bounds, const ViewFacts& facts,
                              std::span<const WindowCorner> polygon, double negative) {
@@ -90,7 +97,8 @@ bool is_cut_at_a_corner(const ViewFacts& facts, const TriangleExtent& extent, co
 RasterBounds::RasterBounds(const ViewFacts& facts, const RasterPrecision& precision)
     : precision_(precision), snap_px_(snap_of(precision)) {
     const double unit = unit_of(precision.transform);
-    background_eps_px_ = snap_px_ > 0 ? snap_px_ : gammas_of(unit)[8] * window_reach_px(facts);
+    const double reach = window_reach_px(facts);
+    background_eps_px_ = snap_px_ > 0 ? snap_px_ : gammas_of(unit)[8] * reach + narrowing_px(reach);
 }
 
 bool RasterBounds::has_plain_coverage() const {
@@ -163,9 +171,22 @@ int RasterBounds::counted_cuts(const ViewFacts& facts, const TriangleExtent& ext
 /// Division, scale, offset; clipping's interpolation. In float64 the whole guard band costs 3e-11 px.
 double RasterBounds::viewport_px(const ViewFacts& facts, const TriangleExtent& extent) const {
     if (is_homogeneous()) return 0;
-    const bool is_coarse = precision_.transform == Arithmetic::float32;
     const double limit = reach_limit_px(facts);
-    return gammas_of(precision_.transform)[8] * (is_coarse ? reach_px(facts, extent, limit) : limit);
+    const bool is_coarse = precision_.transform == Arithmetic::float32;
+    const double reach = is_coarse || narrows_corners() ? reach_px(facts, extent, limit) : limit;
+    return gammas_of(precision_.transform)[8] * reach + narrowing_px(reach);
+}
+
+/// Do edge functions take a narrower type than the transform has?
+bool RasterBounds::narrows_corners() const {
+    return precision_.edge_functions != EdgeFunctions::exact &&
+           precision_.edge_arithmetic == Arithmetic::float32 && precision_.transform == Arithmetic::float64;
+}
+
+/// That rounds a corner once more, but for one on a grid that the type holds.
+double RasterBounds::narrowing_px(double reach_px) const {
+    const double rounding = unit_roundoff_float32 * reach_px;
+    return narrows_corners() && rounding > snap_px_ ? rounding : 0;
 }
 
 TriangleBounds RasterBounds::of(const ViewFacts& facts, const TriangleExtent& extent) const {
@@ -186,9 +207,7 @@ TriangleBounds RasterBounds::of(const ViewFacts& facts, const TriangleExtent& ex
 }
 
 double RasterBounds::drift_px(const TriangleBounds& bounds, std::span<const WindowCorner> polygon) const {
-    double highest = 0;  // inverse depth; only perspectives ask for it
-    for (const WindowCorner& corner : polygon) highest = std::max(highest, corner.inverse_depth);
-    return bounds.eps_base_px - snap_px_ + bounds.eps_per_inverse_depth * highest;
+    return bounds.eps_base_px - snap_px_ + bounds.eps_per_inverse_depth * highest_inverse_depth(polygon);
 }
 
 PlaneEquationBounds RasterBounds::z_bounds(std::span<const WindowCorner> polygon, const CornerShift& shift,
@@ -272,7 +291,8 @@ void RasterBounds::add_coverage(TriangleBounds& bounds, const ViewFacts& facts, 
                                             .width = double(facts.view.width),
                                             .height = double(facts.view.height)});
     bounds.edge_rounding_px.fill(std::max(edges, areas.edges_px));
-    bounds.eps_base_px += std::max(edges, areas.edges_px) + tolerance_eps_px(facts, extent);
+    bounds.eps_base_px += std::max(edges, areas.edges_px);
+    add_tolerance(bounds, facts, extent, drift);
     if (precision_.depth_interpolation == DepthInterpolation::barycentrics)
         add_weights(bounds, facts, areas, polygon);
     if (precision_.least_area_px2 == 0) return;
@@ -285,11 +305,21 @@ void RasterBounds::add_coverage(TriangleBounds& bounds, const ViewFacts& facts, 
 /// Weights err, and may be negative where a point counts as inside by error or by tolerance.
 void RasterBounds::add_weights(TriangleBounds& bounds, const ViewFacts& facts, const WindowAreas& areas,
                                std::span<const WindowCorner> polygon) const {
-    const double negative = 2 * (areas.of_weights + 3 * precision_.barycentric_tolerance);
-    for (double* eps : {&bounds.depth_eps_base_px, &bounds.depth_eps_per_inverse_depth})
-        if (*eps > 0) *eps *= 1 + negative;  // weights may be unlimited
+    const double negative = 2 * (areas.of_weights + 3 * precision_.barycentric_tolerance),
+                 slope = std::abs(z_range(facts.view.camera, precision_).per_inverse_depth);
+    // in a perspective a corner's weight in space is that in the image times depth over its own
+    const double in_space = facts.perspective ? negative * highest_inverse_depth(polygon) : negative;
+    const auto add = [](double& sum, double a, double b) {
+        if (a > 0 && b > 0) sum += a * b;  // weights may be unlimited
+    };
+    add(bounds.depth_eps_base_px, bounds.depth_eps_base_px, negative);
+    add(bounds.depth_eps_base_px, bounds.depth_eps_per_inverse_depth, in_space);
+    add(facts.perspective ? bounds.depth_factor : bounds.depth_absolute, bounds.depth_absolute, in_space);
+    const double of_corner = has_plain_depth() ? gamma(precision_.depth_roundings, unit_roundoff_float32)
+                                               : gammas_of_z()[4];
+    add(bounds.inverse_depth_error, negative,
+        (of_corner + gammas_of(precision_.interpolation)[8]) * largest_z(polygon) / slope);
     if (negative > 0) add_reach_beyond_planes(bounds, facts, polygon, negative);
-    const double slope = std::abs(z_range(facts.view.camera, precision_).per_inverse_depth);
     // of a z-buffer's z it is a share of z, not of depth
     (has_plain_depth() ? bounds.depth_factor : bounds.inverse_depth_error) +=
         has_plain_depth() || areas.of_area == 0 ? areas.of_area : areas.of_area * largest_z(polygon) / slope;
@@ -333,12 +363,17 @@ double RasterBounds::edge_functions_eps_px(const ViewFacts& facts, const Triangl
     return unlimited;
 }
 
-/// A weight of minus the tolerance lies that share of the triangle's height outside its edge.
-double RasterBounds::tolerance_eps_px(const ViewFacts& facts, const TriangleExtent& extent) const {
+/// A weight of minus the tolerance lies that share of the triangle's height outside its edge, and where two
+/// are, that share of both sides beyond their corner. Such a place moves with the corners, and farther.
+void RasterBounds::add_tolerance(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
+                                 double drift_px) const {
     const double tolerance = precision_.barycentric_tolerance;
-    if (tolerance == 0) return 0;
+    if (tolerance == 0) return;
     const auto triangle = window_triangle(facts, extent);
-    return tolerance * (triangle ? triangle->largest_height_px() : 2 * reach_limit_px(facts));
+    bounds.weight_tolerance = triangle ? tolerance : 0;
+    bounds.has_image_weights = facts.perspective && !is_homogeneous();
+    const double reach = triangle ? triangle->largest_height_px() : 4 * reach_limit_px(facts);
+    bounds.eps_base_px += tolerance * (reach + 4 * drift_px);
 }
 
 }  // namespace zproof

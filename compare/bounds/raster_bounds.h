@@ -37,6 +37,8 @@ class RasterBounds {
   private:
     int counted_cuts(const ViewFacts& facts, const TriangleExtent& extent) const;
     double viewport_px(const ViewFacts& facts, const TriangleExtent& extent) const;
+    bool narrows_corners() const;
+    double narrowing_px(double reach_px) const;
     double transform_error(const ViewFacts& facts, int cuts) const;
     /// The size of what is transformed.
     const glm::dvec3& transformed(const TriangleExtent& extent) const;
@@ -53,7 +55,8 @@ class RasterBounds {
     void add_coverage(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
                       std::span<const WindowCorner> polygon) const;
     double edge_functions_eps_px(const ViewFacts& facts, const TriangleExtent& extent) const;
-    double tolerance_eps_px(const ViewFacts& facts, const TriangleExtent& extent) const;
+    void add_tolerance(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
+                       double drift_px) const;
     /// Adds what weights err by where depth is their mean.
     void add_weights(TriangleBounds& bounds, const ViewFacts& facts, const WindowAreas& areas,
                      std::span<const WindowCorner> polygon) const;

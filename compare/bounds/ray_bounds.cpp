@@ -72,27 +72,47 @@ double volume_moved_by(double error, const ViewFacts& facts, const TriangleExten
     return moved;
 }
 
-/// Woop: what the three weights err by, as a share of their sum, times how much their corners' distances
-/// along the ray differ.
-double sheared_mean_error(const ViewFacts& facts, const TriangleExtent& extent, double unit) {
-    const auto& v = extent.v_world;
-    std::array<double, 3> size;
+/// How much the corners' distances along the ray may differ: they are taken along the axis of the
+/// direction's largest coordinate, which is at least its length / sqrt(3).
+double range_of_distances(const TriangleExtent& extent) {
     double range = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        size[i] = sum_abs(glm::abs(v[i]) + facts.origin_abs);
-        const glm::dvec3 side = glm::abs(v[(i + 1) % 3] - v[i]);
+        const glm::dvec3 side = glm::abs(extent.v_world[(i + 1) % 3] - extent.v_world[i]);
         range = std::max({range, side.x, side.y, side.z});
     }
-    // distances are taken along the axis of the direction's largest coordinate: at least its length / sqrt(3)
-    return sheared_weights_error(size, sum_abs(facts.direction_abs), unit) * std::sqrt(3.0) * range /
-           extent.size.plane.volume;
+    return std::sqrt(3.0) * range;
+}
+
+double range_of_depths(const TriangleExtent& extent) {
+    const auto [low, high] = std::ranges::minmax(extent.size.depth);
+    return high - low;
 }
 
 }  // namespace
 
-double sheared_weights_error(const std::array<double, 3>& corners, double direction, double unit) {
-    const auto& [a, b, c] = corners;
-    return gammas_of(unit)[10] * 2 * (a * b + b * c + c * a) * direction;
+double weights_error(const RayPrecision& precision, const std::array<glm::dvec3, 3>& v,
+                     const glm::dvec3& origin_abs, const glm::dvec3& direction_abs) {
+    const double unit = unit_of(precision.arithmetic);
+    const glm::dvec3 e1 = v[1] - v[0], e2 = v[2] - v[0], from_origin = glm::abs(v[0]) + origin_abs;
+    std::array<double, 3> size;
+    double sum = 0;
+    switch (precision.test) {
+        case RayTest::pluecker:
+            for (std::size_t i = 0; i < 3; ++i) {
+                const glm::dvec3 &a = v[i], &b = v[(i + 1) % 3];
+                sum += dot(abs_cross(b - a, glm::abs(b + a) + 2.0 * origin_abs), direction_abs);
+            }
+            return gamma(7, unit) * sum / 2;
+        case RayTest::moeller_trumbore:
+            sum = dot(abs_cross(e1, from_origin) + abs_cross(e2, from_origin) + abs_cross(e1, e2),
+                      direction_abs);
+            return 2 * gamma(10, unit) * sum;
+        case RayTest::woop:
+            for (std::size_t i = 0; i < 3; ++i) size[i] = sum_abs(glm::abs(v[i]) + origin_abs);
+            return gamma(10, unit) * 2 * (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]) *
+                   sum_abs(direction_abs);
+    }
+    return unlimited;
 }
 
 RayBounds::RayBounds(const ViewFacts& facts, const RayPrecision& precision)
@@ -137,9 +157,8 @@ TriangleBounds RayBounds::of(const ViewFacts& facts, const TriangleExtent& exten
         size.plane.volume =
             std::max(0.0, size.plane.volume - volume_moved_by(precision_.world_absolute, facts, extent));
     TriangleBounds bounds = on_plane(facts, size);
-    if (precision_.test == RayTest::woop && precision_.hit_point == HitPoint::distance)
-        (facts.perspective ? bounds.depth_factor : bounds.depth_absolute) +=
-            (1 + 3 * precision_.barycentric_tolerance) * sheared_mean_error(facts, extent, unit_);
+    (facts.perspective ? bounds.depth_factor : bounds.depth_absolute) +=
+        mean_error(facts, extent, size.plane.volume);
     bounds.weight_tolerance = precision_.barycentric_tolerance;
     const double aim = aim_.at_depth_px(size.largest_depth());
     const double corners = corners_px_times_depth(facts, extent) + tolerance_px_times_depth(facts, extent);
@@ -158,8 +177,7 @@ TriangleBounds RayBounds::of(const ViewFacts& facts, const TriangleExtent& exten
         }
     }
     if (precision_.hit_point == HitPoint::barycentrics) {
-        // weights err as edges do; a point of them has 6 roundings, and 5 more on its way into the camera
-        bounds.depth_eps_base_px += 2 * edges;
+        // a mean of corners has 6 roundings, and 5 more on its way into the camera
         bounds.depth_absolute += gammas_of(unit_)[11] * size.from_origin.z;
     }
     if (precision_.world_absolute > 0) add_world_error(bounds, facts);
@@ -215,6 +233,18 @@ double RayBounds::tolerance_px_times_depth(const ViewFacts& facts, const Triangl
     return largest;
 }
 
+double RayBounds::mean_error(const ViewFacts& facts, const TriangleExtent& extent, double volume) const {
+    const bool is_of_depths = precision_.hit_point == HitPoint::barycentrics;
+    if (!is_of_depths && precision_.test != RayTest::woop) return 0;
+    const double range = is_of_depths ? range_of_depths(extent) : range_of_distances(extent);
+    if (range == 0) return 0;
+    // the weights' sum is the volume, in perspectives over the depth
+    const double share =
+        weights_error(precision_, extent.v_world, facts.origin_abs, facts.direction_abs) / volume;
+    const double of_sum = compounded(share * (facts.perspective ? extent.size.largest_depth() : 1));
+    return share * range * (1 + 3 * precision_.barycentric_tolerance) * (1 + of_sum);
+}
+
 void RayBounds::add_world_error(TriangleBounds& bounds, const ViewFacts& facts) const {
     const Camera& c = facts.view.camera;
     // three weights down to minus the tolerance add up to so much in absolute value
@@ -231,8 +261,9 @@ bool RayBounds::may_be_missed(const ViewFacts& facts, const TriangleExtent& exte
     if (precision_.least_determinant == 0) return false;
     const double length = glm::length(facts.direction_abs), rounding = gammas_of(unit_)[8];
     const double depth = facts.perspective ? extent.size.largest_depth() : 1;
-    const double terms = extent.size.plane.numerator_abs * rounding;
-    const double least = (extent.size.plane.volume / depth - (facts.perspective ? terms : 0)) / length;
+    const PlaneSize& plane = extent.size.plane;
+    const double terms = rounding * (facts.perspective ? plane.numerator_abs : plane.volume_abs);
+    const double least = (plane.volume / depth - terms) / length;
     return !(least >= precision_.least_determinant);
 }
 

@@ -9,9 +9,10 @@
 
 namespace zproof {
 
-/// Woop: the absolute errors of the three weights, added up. Sizes are sums of absolute coordinates: of the
-/// corners from the ray's origin, and of its direction.
-double sheared_weights_error(const std::array<double, 3>& corners, double direction, double unit);
+/// The absolute errors of the three weights by which a test tells where it hits, added up. `v` are the
+/// corners from a point that lies at most `origin_abs` aside of the ray's origin along each axis.
+double weights_error(const RayPrecision& precision, const std::array<glm::dvec3, 3>& v,
+                     const glm::dvec3& origin_abs, const glm::dvec3& direction_abs);
 
 class RayBounds {
   public:
@@ -29,6 +30,8 @@ class RayBounds {
     /// What the triangle's rounded corners move in the image, px times depth.
     double corners_px_times_depth(const ViewFacts& facts, const TriangleExtent& extent) const;
     double tolerance_px_times_depth(const ViewFacts& facts, const TriangleExtent& extent) const;
+    /// What erring weights make of a mean of the corners' depths or distances; perspective: as a share of it.
+    double mean_error(const ViewFacts& facts, const TriangleExtent& extent, double volume) const;
     void add_world_error(TriangleBounds& bounds, const ViewFacts& facts) const;
     bool may_be_missed(const ViewFacts& facts, const TriangleExtent& extent) const;
 

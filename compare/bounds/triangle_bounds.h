@@ -26,7 +26,8 @@ struct TriangleLimits {
     bool may_be_missing = false;           ///< the renderer need not draw it: it hides nothing for certain
     /// The share of eps by which each edge function is off where it is rounded by itself, px; else 0.
     std::array<double, 3> edge_rounding_px{};
-    double weight_tolerance = 0;  ///< rays: a weight down to minus this counts as inside
+    double weight_tolerance = 0;     ///< a weight down to minus this counts as inside
+    bool has_image_weights = false;  ///< perspectives: edge functions times their corners' depths are weights
 
     /// May the near or far plane cut it?
     bool may_be_clipped(const Camera& camera) const {

@@ -299,19 +299,23 @@ TEST(Snap, NoneLeavesOnlyArithmetic) {
     expect_displacement_allowance(p, gamma(8, u) * 516 + gamma(5, u) * 512);
 }
 
+/// And the corner itself has one.
 TEST(EdgeFunctions, FromACornerErrByFourRoundingsOfTheDistance) {
     RasterPrecision p{.snap = Snap::none, .edge_functions = EdgeFunctions::from_corner};
     p.transform = Arithmetic::float64;
-    expect_displacement_allowance(p, gamma(4, u) * 516);
+    expect_displacement_allowance(p, (gamma(4, u) + u) * 516);
+    p.edge_arithmetic = Arithmetic::float64;
+    EXPECT_FALSE(passes_displaced(p, 1e-6));
 }
 
-/// a x + b y + c with 4 roundings of each term. Of all edges the hypotenuse of the wall behind errs most,
-/// from (192, -64) to (-64, 192), and its eps counts for what is seen before it.
+/// a x + b y + c with 4 roundings of each term, of corners that are rounded once. Of the near wall's edges
+/// the upper one errs most, from (2.5, -64) to (-512, 8).
 TEST(EdgeFunctions, WindowCoefficientsErrByTheProductsOfCoordinates) {
     RasterPrecision p{.snap = Snap::none, .edge_functions = EdgeFunctions::window_coefficients};
     p.transform = Arithmetic::float64;
-    const double width = 4, height = 1, c = 192.0 * 192 + 64 * 65;  // y = -64 is 65 rows from the lower side
-    expect_displacement_allowance(p, gamma(4, u) * (256 * width + 256 * height + c) / 512);
+    const double width = 4, height = 1, c = 2.5 * 8 + 512 * 65;  // y = -64 is 65 rows from the lower side
+    expect_displacement_allowance(p,
+                                  gamma(4, u) * (72 * width + 514.5 * height + c) / (72 + 514.5) + u * 516);
     p.edge_arithmetic = Arithmetic::float64;
     EXPECT_FALSE(passes_displaced(p, 1e-6));
 }

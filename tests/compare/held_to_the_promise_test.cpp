@@ -132,6 +132,15 @@ TEST(HeldToThePromise, ADepthBehindTheEyeIsNone) {
     EXPECT_EQ(class_of_depth(t, 1, 1, -5), PixelClass::invalid);
 }
 
+/// A plane in float32 that has next to no area leads anywhere; in a parallel view, behind the eye.
+TEST(HeldToThePromise, ADepthThatNothingBoundsMayLieBehindAParallelEye) {
+    TestScene t(Projection::parallel, 8, 8, {{{{-8, 3.5, 4}, {16, 3.5, 8}, {-8, 3.5 + 1e-3, 4}}}});
+    t.candidate_precision = RasterPrecision{.depth_interpolation = DepthInterpolation::plane};
+    EXPECT_TRUE(passes(class_of_depth(t, 4, 3, -50)));
+    t.candidate_precision = RasterPrecision{};
+    EXPECT_EQ(class_of_depth(t, 4, 3, -50), PixelClass::invalid);
+}
+
 /// Near leaves a quadrilateral of the triangle. One of its diagonals passes 1/6 px beside the centre of pixel
 /// (6, 4).
 TEST(HeldToThePromise, ATriangleThatNearCutsHasAGapAlongADiagonal) {
@@ -202,8 +211,50 @@ TEST(HeldToThePromise, AWeightsToleranceShowsATriangleBeyondItsTip) {
     EXPECT_EQ(class_by(0.99 / 85), PixelClass::outside);
 }
 
+/// A rasterizer's weights are those of the image, whatever the corners' depths.
+TEST(HeldToThePromise, AWeightOfTheImageIsHeldToItsTolerance) {
+    for (const Projection projection : {Projection::parallel, Projection::perspective}) {
+        TestScene t(projection, 8, 4, {{{{-40, 1.4, 4}, {2.5, 1.5, 64}, {-40, 1.6, 4}}}});
+        const auto class_by = [&](double tolerance) {
+            t.candidate_precision = RasterPrecision{.transform = Arithmetic::float64,
+                                                    .snap = Snap::none,
+                                                    .edge_functions = EdgeFunctions::from_corner,
+                                                    .edge_arithmetic = Arithmetic::float64,
+                                                    .barycentric_tolerance = tolerance};
+            return class_of_depth(t, 3, 1, 64);
+        };
+        EXPECT_NE(class_by(1.01 / 85), PixelClass::outside);
+        EXPECT_EQ(class_by(0.99 / 85), PixelClass::outside);
+    }
+}
+
 TriangleBounds bounds_by(const TestScene& t, const Precision& precision) {
     return ViewBounds(t.view, precision).of(corners_of(t.scene, 0));
+}
+
+/// Three weights down to minus the tolerance: 6 of it more in absolute values. In space a corner at depth 1
+/// counts as often as the pixel is deep. A place that two weights leave moves by 4 times the tolerance more.
+TEST(HeldToThePromise, WeightsBelow0CountByTheirCornersDepths) {
+    const TestScene t(Projection::perspective, 8, 8, {{{{0, 0, 1}, {8, 0, 1}, {4, 8, 64}}}});
+    const double tolerance = 1e-3, negative = 6 * tolerance, nearest = 1;
+    RasterPrecision precision{.transform = Arithmetic::float32,
+                              .edge_functions = EdgeFunctions::from_corner,
+                              .edge_arithmetic = Arithmetic::float64,
+                              .interpolation = Arithmetic::float32,
+                              .depth_roundings = 2};
+    const TriangleBounds without = bounds_by(t, precision);
+    precision.barycentric_tolerance = tolerance;
+    const TriangleBounds with = bounds_by(t, precision);
+    const auto expect_more = [](double more, double less, double by) {
+        EXPECT_NEAR((more - less) / by, 1, 1e-6);
+    };
+    const double u = unit_roundoff_float32, drift = without.eps_base_px + without.eps_per_inverse_depth;
+    expect_more(with.inverse_depth_error, without.inverse_depth_error,
+                negative * (gamma(2, u) + gamma(8, u)) / nearest);
+    expect_more(with.depth_factor, without.depth_factor, negative * without.depth_absolute / nearest);
+    expect_more(with.depth_eps_base_px, without.depth_eps_base_px,
+                negative * (without.depth_eps_base_px + without.depth_eps_per_inverse_depth / nearest));
+    expect_more(with.eps_base_px, without.eps_base_px, tolerance * (8 + 4 * drift));
 }
 
 /// Corners (0, 0, 4), (8, 0, 4) and (0, 4, 4): their coordinates add up to 4, 12 and 8, those of directions
@@ -212,8 +263,41 @@ TEST(HeldToThePromise, WoopsDistanceErrsAsItsWeightsDo) {
     const TestScene t(Projection::perspective, 4, 2, {{{{0, 0, 4}, {2, 0, 4}, {0, 1, 4}}}});
     const double added = bounds_by(t, RayPrecision{.test = RayTest::woop}).depth_factor -
                          bounds_by(t, RayPrecision{.test = RayTest::pluecker}).depth_factor;
-    EXPECT_NEAR(added / gamma(10, unit_roundoff_float32),
-                2 * (4 * 12 + 12 * 8 + 8 * 4) * 7 * std::sqrt(3.0) * 8 / 128, 1e-6);
+    const double share = gamma(10, unit_roundoff_float32) * 2 * (4 * 12 + 12 * 8 + 8 * 4) * 7 / 128;
+    EXPECT_NEAR(added / (share * std::sqrt(3.0) * 8 * (1 + compounded(4 * share))), 1, 1e-9);
+}
+
+/// Corners (0, 0, 4), (16, 0, 8) and (0, 4, 4), directions of (4, 2, 1) at most, a volume of 256. The
+/// products of differences and sums come to 512, 896 and 128; those of Moeller and Trumbore to 128, 64 and
+/// 128.
+TEST(HeldToThePromise, AHitOfWeightsErrsAsTheyDo) {
+    const TestScene t(Projection::perspective, 4, 2, {{{{0, 0, 4}, {2, 0, 8}, {0, 1, 4}}}});
+    const auto expect_added = [&](RayTest test, double weights, double range) {
+        const double share = weights / 256,
+                     added = bounds_by(t, {RayPrecision{.test = test, .hit_point = HitPoint::barycentrics}})
+                                 .depth_factor -
+                             bounds_by(t, RayPrecision{.test = test}).depth_factor;
+        EXPECT_NEAR(added / (share * range * (1 + compounded(8 * share))), 1, 1e-9) << int(test);
+    };
+    const double u = unit_roundoff_float32, depths = 8 - 4, distances = std::sqrt(3.0) * 16;
+    expect_added(RayTest::pluecker, gamma(7, u) * (512 + 896 + 128) / 2, depths);
+    expect_added(RayTest::moeller_trumbore, 2 * gamma(10, u) * (128 + 64 + 128), depths);
+    expect_added(RayTest::woop, gamma(10, u) * 2 * (4 * 24 + 24 * 8 + 8 * 4) * 7, depths - distances);
+    const TestScene wall(Projection::perspective, 4, 2, {{{{0, 0, 4}, {2, 0, 4}, {0, 1, 4}}}});
+    EXPECT_EQ(bounds_by(wall, RayPrecision{.hit_point = HitPoint::barycentrics}).depth_factor,
+              bounds_by(wall, RayPrecision{}).depth_factor)
+        << "all corners have its depth";
+}
+
+/// Twice the area is 1 px^2: a product of any two of its sides, within 8 roundings of each.
+TEST(HeldToThePromise, ALeastDeterminantIsHeldAgainstARoundedOne) {
+    const TestScene t(Projection::parallel, 4, 2, {{{{0, 0, 4}, {1, 0, 4}, {0, 1, 4}}}});
+    const auto may_be_missing = [&](double least) {
+        return bounds_by(t, RayPrecision{.least_determinant = least}).may_be_missing;
+    };
+    const double rounding = 3 * gamma(8, unit_roundoff_float32);
+    EXPECT_TRUE(may_be_missing(1 - 0.99 * rounding));
+    EXPECT_FALSE(may_be_missing(1 - 1.01 * rounding));
 }
 
 /// Each corner may move by half of what the triangle is high: nothing is left of it.

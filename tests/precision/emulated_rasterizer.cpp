@@ -11,12 +11,12 @@ namespace zproof {
 
 namespace {
 
-/// The pixels whose centres may lie between two raster positions.
+/// The pixels whose centres may lie between two raster positions, or beyond by errors and a tolerance.
 struct PixelRange {
     int first, last;
 };
-PixelRange pixels_between(double low, double high, int size) {
-    const double margin_px = 2;  // for edge functions that err
+PixelRange pixels_between(double low, double high, int size, double tolerance) {
+    const double margin_px = 2 + 2 * tolerance * (high - low);
     const double first = std::clamp(std::floor(low - margin_px), 0.0, double(size));
     const double last = std::clamp(std::ceil(high + margin_px), -1.0, double(size - 1));
     return {int(first), int(last)};
@@ -44,6 +44,8 @@ class EmulatedRasterizer {
   private:
     using Piece = std::array<EmulatedCorner, 3>;
 
+    double tolerance() const { return precision_.barycentric_tolerance; }
+
     void draw_piece(std::uint32_t triangle, const Piece& piece) {
         WindowPiece window;
         for (std::size_t i = 0; i < 3; ++i) window[i] = window_point(view_, precision_, piece[i]);
@@ -51,8 +53,8 @@ class EmulatedRasterizer {
         if (!edges.is_drawn()) return;
         const auto [x_low, x_high] = std::minmax({window[0].x, window[1].x, window[2].x});
         const auto [y_low, y_high] = std::minmax({window[0].y, window[1].y, window[2].y});
-        const PixelRange across = pixels_between(x_low, x_high, view_.width),
-                         down = pixels_between(y_low, y_high, view_.height);
+        const PixelRange across = pixels_between(x_low, x_high, view_.width, tolerance()),
+                         down = pixels_between(y_low, y_high, view_.height, tolerance());
         const EmulatedInterpolation interpolation = depth_.on(piece, window);
         for (int y = down.first; y <= down.last; ++y)
             for (int x = across.first; x <= across.last; ++x)
@@ -65,8 +67,8 @@ class EmulatedRasterizer {
         if (!edges.is_drawn()) return;
         PixelRange across{0, view_.width - 1}, down{0, view_.height - 1};
         if (const auto box = edges.box_px()) {
-            across = pixels_between(box->low.x, box->high.x, view_.width);
-            down = pixels_between(box->low.y, box->high.y, view_.height);
+            across = pixels_between(box->low.x, box->high.x, view_.width, tolerance());
+            down = pixels_between(box->low.y, box->high.y, view_.height, tolerance());
         }
         for (int y = down.first; y <= down.last; ++y)
             for (int x = across.first; x <= across.last; ++x)
