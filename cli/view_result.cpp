@@ -137,10 +137,14 @@ std::string undecidable_words(const Verdict& verdict) {
 std::vector<std::string> notes_on(const ViewContext& context, const Verdict& verdict) {
     std::vector<std::string> notes = context.scene.notes;
     if (const std::string note = sample_note(context.view.sample); !note.empty()) notes.push_back(note);
-    if (verdict.open_attributes > 0)
-        notes.push_back("attributes not judged at some pixels: " + grouped(verdict.open_attributes) + " of " +
-                        grouped(verdict.classes.size().pixel_count()) +
-                        ", where rounding may leave the plane of a triangle no area");
+    const auto add_open = [&](const std::string& what, std::uint64_t pixels) {
+        if (pixels > 0)
+            notes.push_back(what + " not judged at some pixels: " + grouped(pixels) + " of " +
+                            grouped(verdict.classes.size().pixel_count()) +
+                            ", where rounding may leave a triangle no area");
+    };
+    add_open("depths", verdict.open_depths);
+    add_open("attributes", verdict.open_attributes);
     return notes;
 }
 

@@ -19,6 +19,7 @@ namespace {
 /// Counts what the first tier did not.
 void count(Verdict& verdict, const PixelCheck& pixel, const UndecidedPixel& undecided) {
     verdict.reference_defects += is_reference_wrong(pixel);
+    verdict.open_depths += pixel.candidate.is_depth_open;
     const QueryResult &candidate = pixel.candidate_decision, &reference = pixel.reference_decision;
     if (pixel.ids_differ() || candidate.decision.eps_px > 0) {
         ++verdict.adjudicated;
@@ -44,6 +45,7 @@ void add(Verdict& sum, const Verdict& part) {
     sum.reference_defects += part.reference_defects;
     sum.adjudicated += part.adjudicated;
     sum.exact += part.exact;
+    sum.open_depths += part.open_depths;
     sum.findings.insert(sum.findings.end(), part.findings.begin(), part.findings.end());
 }
 

@@ -43,7 +43,8 @@ struct Verdict {
     std::uint64_t reference_defects = 0;  ///< pixels at which the reference's own answer is inadmissible
     std::uint64_t adjudicated = 0;        ///< pixels that needed the admissible set
     std::uint64_t exact = 0;              ///< of those, pixels that needed exact rationals
-    std::uint64_t open_attributes = 0;    ///< pixels that agree, of whose attributes nothing is promised
+    /// Pixels of whose depth nothing is promised, and that agree, of whose attributes nothing is.
+    std::uint64_t open_depths = 0, open_attributes = 0;
     std::optional<ErrorMaps> errors;      ///< where they were asked for
 };
 

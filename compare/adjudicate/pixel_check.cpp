@@ -37,7 +37,8 @@ AnswerCheck check_answer(const FramePair& frames, const BoundedFrame& frame, con
     // a renderer that draws nothing behind the eye gives no depth there, whatever the view shows
     const bool is_no_depth = answer.camera_depth < 0 && frame.bounds.near_depth() >= 0 &&
                              (!depth.is_admissible || frames.view.camera.near_depth < 0);
-    return {answer, is_no_depth, depth.is_admissible, depth.error_over_bound};
+    const bool is_open = depth.bound.is_open() && !frame.shown_bounds.keeps_to_corners();
+    return {answer, is_no_depth, depth.is_admissible, depth.error_over_bound, is_open};
 }
 
 /// Checks both answers but does not put them to the admissible set.

@@ -14,6 +14,8 @@ inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// Camera depths [low, high], and the true depth at the pixel's centre.
 struct DepthBound {
     double low = 0, truth = 0, high = 0;  ///< all NaN where the answer is background
+
+    bool is_open() const { return low <= 0 && high == unlimited; }  ///< Does it say nothing?
 };
 
 /// Inverse depths: 1 / depth for perspective, -depth for parallel projections.

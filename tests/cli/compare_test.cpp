@@ -103,7 +103,7 @@ TEST_F(StoredFrames, AreJudgedByTheirAttributesToo) {
 }
 
 /// The planes of triangles that reach across the guard band promise nothing of what lies between corners.
-TEST_F(StoredFrames, SayAtHowManyPixelsAttributesAreOpen) {
+TEST_F(StoredFrames, SayAtHowManyPixelsDepthsAndAttributesAreOpen) {
     const Words render{"render",  "guard_band", "-o",       "far", "--attributes",
                        "--width", "64",         "--height", "48"};
     ASSERT_EQ(run(folder, render).exit_code, 0);
@@ -113,12 +113,13 @@ TEST_F(StoredFrames, SayAtHowManyPixelsAttributesAreOpen) {
         EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
         return only_view().at("notes");
     };
-    const std::string judged = "attributes judged: bary, position",
-                      open =
-                          "attributes not judged at some pixels: 2,847 of 3,072, where rounding may leave "
-                          "the plane of a triangle no area";
+    const std::string judged = "attributes judged: bary, position";
+    const auto open = [](const std::string& what, const std::string& pixels) {
+        return what + " not judged at some pixels: " + pixels +
+               " of 3,072, where rounding may leave a triangle no area";
+    };
     EXPECT_EQ(notes_by("raster"), json({judged}));
-    EXPECT_EQ(notes_by("d3d11"), json({open, judged}));
+    EXPECT_EQ(notes_by("d3d11"), json({open("depths", "2,848"), open("attributes", "2,847"), judged}));
 }
 
 /// A channel that looks like an attribute and is none is named, whoever wrote the file; a layer's are judged.

@@ -136,9 +136,12 @@ TEST(HeldToThePromise, ADepthBehindTheEyeIsNone) {
 TEST(HeldToThePromise, ADepthThatNothingBoundsMayLieBehindAParallelEye) {
     TestScene t(Projection::parallel, 8, 8, {{{{-8, 3.5, 4}, {16, 3.5, 8}, {-8, 3.5 + 1e-3, 4}}}});
     t.candidate_precision = RasterPrecision{.depth_interpolation = DepthInterpolation::plane};
-    EXPECT_TRUE(passes(class_of_depth(t, 4, 3, -50)));
+    answer(t.candidate, 4, 3, 0, -50);
+    EXPECT_TRUE(passes(t.class_at(4, 3)));
+    EXPECT_EQ(t.verdict().open_depths, 1u);
     t.candidate_precision = RasterPrecision{};
-    EXPECT_EQ(class_of_depth(t, 4, 3, -50), PixelClass::invalid);
+    EXPECT_EQ(t.class_at(4, 3), PixelClass::invalid);
+    EXPECT_EQ(t.verdict().open_depths, 0u);
 }
 
 /// Near leaves a quadrilateral of the triangle. One of its diagonals passes 1/6 px beside the centre of pixel
