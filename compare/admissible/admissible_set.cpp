@@ -220,6 +220,11 @@ auto AdmissibleSet<Number>::edge_on_pieces(size_t index) -> std::vector<Piece> {
     for (size_t i = 0; i < 3; ++i)
         if (const auto segment = segment_image(ray_, p_world[i], p_world[(i + 1) % 3]))
             edges.push_back(*segment);
+    const auto& [p, q, r] = p_world;
+    const bool is_dot = detail::is_zero(q - p) && detail::is_zero(r - p);  // which nothing can part
+    if (edges.empty() && !is_dot)
+        for (const Vector3<Number>& corner : p_world)
+            if (const auto point = point_image(ray_, corner)) edges.push_back(*point);
     std::vector<Piece> pieces;
     for (const SegmentImage<Number>& edge : edges)
         push_clipped(pieces, inside(edge), edge.inverse_depth, index);

@@ -81,4 +81,22 @@ std::optional<SegmentImage<Number>> segment_image(const ViewRay<Number>& ray, co
                        : detail::parallel_segment(ray, a, b, moment);
 }
 
+/// The image of a corner, as a segment without length; nothing where it does not lie before a perspective's
+/// eye.
+template <class Number>
+std::optional<SegmentImage<Number>> point_image(const ViewRay<Number>& ray, const Vector3<Number>& p_world) {
+    const Vector3<Number> p = p_world - ray.origin, along = cross(ray.step_x, ray.step_y);
+    const Number depth = dot(along, p) / dot(along, ray.direction), none(0);
+    const bool perspective = ray.projection == Projection::perspective;
+    if (perspective && sign(depth) <= 0) return std::nullopt;
+    const Vector3<Number> axis = detail::axis_off(perspective ? p : ray.direction);
+    const auto through = [&](const Vector3<Number>& other) {
+        return perspective ? detail::perspective_functional(ray, cross(p, other))
+                           : detail::beyond(ray, p, cross(ray.direction, other));
+    };
+    const Affine<Number> across = through({axis.z, axis.x, axis.y});
+    return SegmentImage<Number>{through({axis.y, axis.z, axis.x}), across, -across,
+                                Affine<Number>{none, none, perspective ? Number(1) / depth : -depth}};
+}
+
 }  // namespace zproof

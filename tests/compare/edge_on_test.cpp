@@ -49,6 +49,13 @@ TEST_P(EdgeOn, AFinWhoseEdgesLieBeforeNearAndBeyondFarMayBeAnswered) {
     expect_raster_reach({{{1.5, 1.5, 0.125}, {1.5, -4096, 8192}, {1.5, 4096, 8192}}}, GetParam());
 }
 
+/// All corners on one view ray: rounding may part them.
+TEST_P(EdgeOn, ALineThatIsSeenAsAPointMayBeAnsweredThere) {
+    for (const double depth : {2.0, 5.0, 8.0})
+        expect_reach({GetParam(), 4, 4, {{{{1.5, 1.5, 2}, {1.5, 1.5, 4}, {1.5, 1.5, 8}}}}}, depth);
+    expect_raster_reach({{{1.5, 1.5, -4}, {1.5, 1.5, 8}, {1.5, 1.5, 8}}}, GetParam());
+}
+
 TEST_P(EdgeOn, AFinWhoseEdgesAreAllBeforeNearHereMayNot) {
     TestScene t(GetParam(), 4, 4, {{{{1.5, 1.5, 0.125}, {1.5, -64, 0.0625}, {1.5, 64, 0.125}}}});
     answer(t.candidate, 1, 1, 0, 8);
