@@ -48,8 +48,8 @@ class CoarseOutline {
         for (const Affine<double>& edge : first_.edges)
             if (!is_finer) mark_band(edge, reach_of(edge), pixels);
         const Camera& c = view_.camera;
-        if (reference_.near_slack > candidate_.near_slack) mark_cut(c.near_depth, here, pixels);
-        if (reference_.far_slack > candidate_.far_slack) mark_cut(c.far_depth, here, pixels);
+        if (!is_finer || reference_.near_slack > candidate_.near_slack) mark_cut(c.near_depth, here, pixels);
+        if (!is_finer || reference_.far_slack > candidate_.far_slack) mark_cut(c.far_depth, here, pixels);
     }
 
   private:

@@ -107,7 +107,9 @@ bool AdmissibleSet<Number>::is_inside_by_rounding(size_t index) {
             f.c = f.c + Number(n.edge_rounding_px[i]) * (magnitude(weights[i].a) + magnitude(weights[i].b));
             if (region) region = region->inside(*new_line(f));
         }
-        if (region) return true;
+        std::vector<Piece> shown;
+        if (drawn(index).image) push_clipped(shown, region, drawn(index).image->inverse_depth, index);
+        if (drawn(index).image ? !shown.empty() : region.has_value()) return true;
     }
     return false;
 }

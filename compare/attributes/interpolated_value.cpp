@@ -358,12 +358,13 @@ InterpolatedValue interpolated_value(const Surface& surface, const Interpolation
     const double products = share(largest, compounded(errors.of_products + of_length));
     constexpr double any_float = 0x1p200;
     const double beyond = std::min(any_float, products * spread + negative * range + errors.underflow);
-    const double at_centre = share(relative, surface.spread_at_centre) + errors.underflow;
+    const double corners = share(range, compounded(errors.of_corners));
+    const double at_centre = share(relative + corners, surface.spread_at_centre) + errors.underflow;
     const bool may_shrink = errors.of_shares == InterpolationErrors::Sum::at_most_one;
     return {.channel = channel,
             .value = value,
             .at_corners = at_corners,
-            .slack = relative * spread + share(range, spread * weights) + errors.underflow,
+            .slack = (relative + corners) * spread + share(range, spread * weights) + errors.underflow,
             .slack_at_centre = std::isfinite(at_centre) ? at_centre : -1,
             .means = {(may_shrink ? std::min(low, 0.0) : low) - beyond,
                       (may_shrink ? std::max(high, 0.0) : high) + beyond}};

@@ -12,10 +12,14 @@ namespace zproof {
 
 namespace {
 
-/// What 1 / depth costs, twice: value / depth is such a sum as well. A corner's weight is 1 / depth.
+/// What 1 / depth costs, twice: value / depth is such a sum as well.
 double relative_of_depth(const Surface& s) {
-    const double of_corner = s.facts.perspective ? s.bounds.depth_absolute / s.bounds.nearest : 0;
-    return 2 * (s.bounds.depth_factor + s.bounds.depth_share + of_corner) + unit_roundoff_float32;
+    return 2 * (s.bounds.depth_factor + s.bounds.depth_share) + unit_roundoff_float32;
+}
+
+/// A corner's weight is 1 / depth, the same in both sums.
+double of_corners(const Surface& s) {
+    return s.facts.perspective ? s.bounds.depth_absolute / s.bounds.nearest : 0;
 }
 
 bool is_cut(const RasterPrecision& precision, const Surface& s) {
@@ -58,6 +62,7 @@ InterpolationErrors errors_of_planes(const RasterPrecision& precision, const Sur
     return {.relative =
                 relative_of_depth(s) + 2 * planes.of_weights / least + of_blend + of_clipping(precision, s),
             .of_products = unlimited,
+            .of_corners = of_corners(s),
             .of_weights = (2 * planes.of_weights + planes.of_values) / least,
             .negative = (planes.spread - 1) / 2 * largest / least,
             .underflow = 0x1p-126 + underflow_of_plane / least,
@@ -70,6 +75,7 @@ InterpolationErrors errors_of(const RasterPrecision& precision, const Surface& s
         gamma(precision.depth_roundings, unit_roundoff_float32) + gammas_of(precision.interpolation)[8];
     InterpolationErrors errors{.relative = relative_of_depth(s),
                                .of_products = 2 * mean + unit_roundoff_float32,
+                               .of_corners = of_corners(s),
                                .negative = negative_weights(precision, s, depth)};
     const double clipping = of_clipping(precision, s);
     errors.relative += clipping;
@@ -101,10 +107,12 @@ InterpolationErrors errors_of(const RayPrecision& precision, const Surface& s, d
             .sampled = SampledPlaces::anywhere};
 }
 
-/// Both sums err by depth_relative: their quotient by (1 + r) / (1 - r) at most.
+/// Both sums err by depth_relative: their quotient by (1 + r) / (1 - r) at most. Nothing says that what
+/// depth_absolute does is the corners'.
 InterpolationErrors errors_of(const BoundedPrecision& precision, const Surface& s, double) {
     const double r = precision.depth_relative;
-    return {.relative = relative_of_depth(s), .of_products = 2 * r / (1 + r) + unit_roundoff_float32};
+    return {.relative = relative_of_depth(s) + 2 * of_corners(s),
+            .of_products = 2 * r / (1 + r) + unit_roundoff_float32};
 }
 
 /// It promises nothing (promises_attributes()).

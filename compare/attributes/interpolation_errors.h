@@ -11,6 +11,7 @@ namespace zproof {
 struct InterpolationErrors {
     double relative = 0;          ///< of every product of a weight and a value
     double of_products = 0;       ///< the same without the errors of weights that leave them above 0
+    double of_corners = 0;        ///< relative, of the weight that a corner brings
     double of_weights = 0;        ///< sum of the weights' own errors, as a share of their sum
     double negative = 0;          ///< what weights as computed may be below 0 in all, as a share of their sum
     double underflow = 0x1p-126;  ///< what results that become 0 may lack

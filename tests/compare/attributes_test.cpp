@@ -41,6 +41,29 @@ INSTANTIATE_TEST_SUITE_P(Projections, WallAttributes,
                              return projection.param == Projection::perspective ? "Perspective" : "Parallel";
                          });
 
+/// Far from the origin a corner's depth errs, and so its weight. Means of equal values do not.
+TEST(Attributes, OfEqualCornersOweNothingToTheirWeights) {
+    TestScene t(Projection::perspective, 1, 1, {wall(0.5)});
+    t.view.camera.eye_world += glm::vec3(1000);
+    for (glm::vec3& p : t.scene.vertices.position_world) p += glm::vec3(1000);
+    t.scene.vertices.uv.push_back({{1000, 1000}, {1000, 1000}, {1000, 1000}});
+    answer_everywhere(t.candidate, 0, 0.5);
+    const auto is_wrong = [&](float uv) {
+        t.candidate.attributes.planes[uv_u] = t.candidate.attributes.planes[uv_u + 1] =
+            Plane<float>({1, 1}, uv);
+        return AttributeCheck(t.scene, t.view, t.candidate, RasterPrecision{}).at({0, 0}).wrong.has_value();
+    };
+    EXPECT_FALSE(is_wrong(1000));
+    EXPECT_FALSE(is_wrong(1000.0005f));
+    EXPECT_TRUE(is_wrong(1000.1f));
+    t.scene.vertices.uv.front() = {{0, 0}, {1, 1}, {0, 0}};
+    const double right = 64.5 / 256,
+                 bound =
+                     ViewBounds(t.view, RasterPrecision{}).of(corners_of(t.scene, 0)).depth_absolute / 0.5;
+    EXPECT_FALSE(is_wrong(float(right + 0.99 * bound)));
+    EXPECT_TRUE(is_wrong(float(right + 1.03 * bound)));
+}
+
 TEST_P(WallAttributes, RightOnesAgree) { EXPECT_EQ(t.verdict().counts[index(PixelClass::agree)], 16u); }
 
 /// 1/512 px is 1/131072 of the wall's side; 3 u are of the depth's rounding, twice, and of float32.

@@ -195,7 +195,7 @@ bool Picture::leaves_bare(const std::vector<std::size_t>& occluders, EdgeRule ru
 }
 
 /// Do its edges, each moved outwards by its own error, have a point in common within what else it is
-/// displaced by?
+/// displaced by, and as far as the clip planes may admit it?
 bool Picture::is_inside_by_rounding(std::size_t index) const {
     const Neighbour& n = around_.neighbours[index];
     const double most = std::ranges::max(n.edge_rounding_px),
@@ -205,6 +205,10 @@ bool Picture::is_inside_by_rounding(std::size_t index) const {
     for (const int side : {1, -1}) {
         const Rational h(moved);
         Set set{{1, 0, h}, {-1, 0, h}, {0, 1, h}, {0, -1, h}};
+        if (triangles_[index].orientation != 0)
+            for (const Functional& f :
+                 clip_planes(index, triangles_[index].inverse_depth, Plane::as_far_as_it_may_be))
+                set.push_back(f);
         for (std::size_t i = 0; i < 3; ++i) {
             Functional f = functional(Rational(side) * cross(at(i + 1), at(i + 2)));
             f.c += Rational(n.edge_rounding_px[i]) * Rational(abs(f.a) + abs(f.b));

@@ -202,6 +202,24 @@ TEST(HeldToThePromise, RoundedEdgeFunctionsShowATriangleBeyondItsTip) {
     EXPECT_EQ(class_of_depth(t, 5, 1, 4), PixelClass::outside) << "exact edge functions say so";
 }
 
+/// Edges that err show nothing that near or far cuts off.
+TEST(HeldToThePromise, RoundedEdgesShowNothingBeyondThePlanes) {
+    for (const Projection projection : {Projection::perspective, Projection::parallel})
+        for (const Precision& precision :
+             {ray_precision(), Precision{RasterPrecision{.edge_functions = EdgeFunctions::from_corner}},
+              Precision{RasterPrecision{.snap = Snap::none, .edge_functions = EdgeFunctions::homogeneous}},
+              Precision{RayPrecision{.arithmetic = Arithmetic::float64, .barycentric_tolerance = 1e-3}}})
+            for (const double depth : {0.5, 16.0}) {
+                TestScene t(projection, 4, 4, {wall(depth)});
+                t.view.camera.near_depth = 1, t.view.camera.far_depth = 8;
+                t.candidate_precision = precision;
+                EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::outside) << depth;
+                t.view.camera.near_depth = 0.25, t.view.camera.far_depth = 32;
+                answer(t.reference, 1, 1, 0, depth);
+                EXPECT_TRUE(passes(class_of_depth(t, 1, 1, depth))) << depth;
+            }
+}
+
 /// Two weights of minus the tolerance lie 85 of it in px beyond the tip; the pixel's centre lies 1 px there.
 TEST(HeldToThePromise, AWeightsToleranceShowsATriangleBeyondItsTip) {
     TestScene t(Projection::parallel, 8, 4, {{{{-40, 1.4, 4}, {2.5, 1.5, 4}, {-40, 1.6, 4}}}});

@@ -131,6 +131,23 @@ TEST(UnprovenPixels, AreAllOfAFrameThatIsTheReferences) {
 }
 
 /// A triangle that both leave out agrees with nobody but the scene.
+/// The corners that near makes are displaced like others: by 1/4 px. It cuts at x = 2.4.
+TEST(UnprovenPixels, AreThoseBesideACutThatTheReferenceDisplacesFarther) {
+    for (const bool is_far : {false, true}) {
+        TestScene t(Projection::parallel, 4, 1, {{{{-64, -64, -64}, {192, -64, 192}, {-64, 192, -64}}}});
+        Camera& c = t.view.camera;
+        (is_far ? c.far_depth : c.near_depth) = is_far ? 2.6 : 2.4;
+        (is_far ? c.near_depth : c.far_depth) = is_far ? -64 : 64;
+        t.reference_precision = RasterPrecision{.transform = Arithmetic::float64, .subpixel_bits = 1};
+        t.candidate_precision = BoundedPrecision{.eps_px = 1e-4, .depth_relative = 1e-6};
+        const int shown = is_far ? 0 : 3;
+        answer(t.reference, shown, 0, 0, shown + 0.5);
+        answer(t.candidate, shown, 0, 0, shown + 0.5 - 0x1p-22);  // another renderer
+        EXPECT_EQ(t.class_at(2, 0), PixelClass::hole) << is_far;
+        EXPECT_EQ(t.class_at(is_far ? 3 : 1, 0), PixelClass::agree) << is_far;
+    }
+}
+
 TEST(UnprovenPixels, GoToTheAdmissibleSet) {
     TestScene t(Projection::parallel, 8, 8, {wall_left_of(4, 4)});
     answer_everywhere(t.reference, 0, 4);
