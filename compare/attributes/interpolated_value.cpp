@@ -204,6 +204,7 @@ bool is_admissible_position(const SampledSurface& s, const Values& values) {
             return v.means.high - std::ranges::max(v.at_corners);
         };
         limits.slack = {beyond(values[0]), beyond(values[1]), beyond(values[2])};
+        if (bound.is_open()) limits.least.reset();
         return hold_it(position_range(ray, limits).along) &&
                all_hold([&](const auto& v) { return in_square(places, v); });
     });

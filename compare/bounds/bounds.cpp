@@ -56,6 +56,9 @@ ViewBounds::ViewBounds(const View& view, const Precision& precision)
 ViewBounds ViewBounds::of_shown(const View& view, const Precision& precision) {
     ViewBounds bounds(view, shown_precision(precision));
     bounds.is_of_shown_ = bounds.depth_step_ > 0;
+    const auto* raster = std::get_if<RasterPrecision>(&precision);
+    if (raster && raster->shown_depth == ShownDepth::varying)
+        bounds.clipping_.emplace(bounds.facts_, *raster);
     return bounds;
 }
 
@@ -63,8 +66,13 @@ TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {
     TriangleBounds bounds = std::visit([&](const auto& kind) { return kind.of(facts_, extent); }, of_kind_);
     const Camera& c = facts_.view.camera;
     const auto [low, high] = std::ranges::minmax(extent.size.depth);
-    bounds.nearest = std::clamp(low, c.near_depth, c.far_depth);
-    bounds.farthest = std::clamp(high, c.near_depth, c.far_depth);
+    double near = c.near_depth, far = c.far_depth;
+    if (clipping_ && (low < near || high > far)) {
+        const TriangleBounds cut = clipping_->of(facts_, extent);
+        near -= cut.near_slack, far += cut.far_slack;
+    }
+    bounds.nearest = std::clamp(low, near, far);
+    bounds.farthest = std::clamp(high, near, far);
     if (is_of_shown_) allow_steps(depth_step_, bounds);
     return bounds;
 }

@@ -1,6 +1,7 @@
 /// Turns declared precision into bounds for the triangles of one view (docs/bounds.md).
 #pragma once
 
+#include <optional>
 #include <variant>
 
 #include "compare/bounds/bounded_bounds.h"
@@ -77,6 +78,8 @@ class ViewBounds {
     bool is_of_shown_ = false;  ///< does a depth's bound hold what is rounded to a step?
     bool is_watertight_;
     OfKind of_kind_;
+    std::optional<RasterBounds>
+        clipping_{};  ///< of a shown varying: what is compared, and cut by near and far
 
     const RasterBounds* raster() const { return std::get_if<RasterBounds>(&of_kind_); }
     InverseDepthRange compared_before_steps(double depth) const;

@@ -181,7 +181,8 @@ class WeightErrors {
             const double others = of_two_weights(of_edge_[(i + 1) % 3] + of_edge_[(i + 2) % 3]);
             const double error =
                 std::max(own, is_remainder() ? compounded(2 * others) / 2 * largest_area_ : 0);
-            if (error > 0) largest = std::max(largest, slope > 0 ? error / slope : unlimited);
+            const bool is_known = slope > 0 && !form_.may_vanish;  // what is left may be of any shortness
+            if (error > 0) largest = std::max(largest, is_known ? error / slope : unlimited);
         }
         return largest;
     }

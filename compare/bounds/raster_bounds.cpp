@@ -154,6 +154,10 @@ TriangleBounds RasterBounds::of_corners(const ViewFacts& facts, const TriangleEx
     bounds.displace_depth_alike();
     bounds.depth_factor = gamma(precision_.depth_roundings, unit_roundoff_float32) + interpolation;
     bounds.depth_absolute = transform * moved.z;
+    // where corners lie on both sides of a parallel eye, roundings are shares of what cancels
+    const auto [low, high] = std::ranges::minmax(extent.size.depth);
+    if (facts.view.camera.near_depth < 0 && low < 0 && high > 0 && has_plain_depth())
+        bounds.depth_absolute += bounds.depth_factor * extent.size.largest_depth();
     return bounds;
 }
 
@@ -292,14 +296,11 @@ void RasterBounds::add_coverage(TriangleBounds& bounds, const ViewFacts& facts, 
                                             .height = double(facts.view.height)});
     bounds.edge_rounding_px.fill(std::max(edges, areas.edges_px));
     bounds.eps_base_px += std::max(edges, areas.edges_px);
-    add_tolerance(bounds, facts, extent, drift);
+    add_tolerance(bounds, facts, extent, drift, areas);
     if (precision_.depth_interpolation == DepthInterpolation::barycentrics)
         add_weights(bounds, facts, areas, polygon);
-    if (precision_.least_area_px2 == 0) return;
-    // what displacement leaves of it; where near cuts it, of the smallest piece
-    const auto triangle = window_triangle(facts, extent);
-    bounds.may_be_missing =
-        (triangle ? triangle->least_area_px2(drift) : areas.least_px2) < precision_.least_area_px2;
+    // of the smallest piece that displacement and clipping may leave
+    bounds.may_be_missing = areas.least_px2 < precision_.least_area_px2;
 }
 
 /// Weights err, and may be negative where a point counts as inside by error or by tolerance.
@@ -315,8 +316,8 @@ void RasterBounds::add_weights(TriangleBounds& bounds, const ViewFacts& facts, c
     add(bounds.depth_eps_base_px, bounds.depth_eps_base_px, negative);
     add(bounds.depth_eps_base_px, bounds.depth_eps_per_inverse_depth, in_space);
     add(facts.perspective ? bounds.depth_factor : bounds.depth_absolute, bounds.depth_absolute, in_space);
-    const double of_corner = has_plain_depth() ? gamma(precision_.depth_roundings, unit_roundoff_float32)
-                                               : gammas_of_z()[4];
+    const double of_corner =
+        has_plain_depth() ? gamma(precision_.depth_roundings, unit_roundoff_float32) : gammas_of_z()[4];
     add(bounds.inverse_depth_error, negative,
         (of_corner + gammas_of(precision_.interpolation)[8]) * largest_z(polygon) / slope);
     if (negative > 0) add_reach_beyond_planes(bounds, facts, polygon, negative);
@@ -366,14 +367,21 @@ double RasterBounds::edge_functions_eps_px(const ViewFacts& facts, const Triangl
 /// A weight of minus the tolerance lies that share of the triangle's height outside its edge, and where two
 /// are, that share of both sides beyond their corner. Such a place moves with the corners, and farther.
 void RasterBounds::add_tolerance(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
-                                 double drift_px) const {
-    const double tolerance = precision_.barycentric_tolerance;
-    if (tolerance == 0) return;
+                                 double drift_px, const WindowAreas& areas) const {
+    if (precision_.barycentric_tolerance == 0) return;
+    // what is divided by is the area and its epsilon
+    const double epsilon = precision_.area_epsilon_px2 > 0
+                               ? precision_.area_epsilon_px2 / std::max(0.0, areas.least_px2)
+                               : 0,
+                 tolerance = precision_.barycentric_tolerance * (1 + epsilon);
     const auto triangle = window_triangle(facts, extent);
-    bounds.weight_tolerance = triangle ? tolerance : 0;
+    if (!triangle || !(tolerance < unlimited)) {
+        bounds.eps_base_px += std::min(tolerance, 1.0) * 4 * reach_limit_px(facts);
+        return;
+    }
+    bounds.weight_tolerance = tolerance;
     bounds.has_image_weights = facts.perspective && !is_homogeneous();
-    const double reach = triangle ? triangle->largest_height_px() : 4 * reach_limit_px(facts);
-    bounds.eps_base_px += tolerance * (reach + 4 * drift_px);
+    bounds.eps_base_px += tolerance * (triangle->largest_height_px() + 4 * drift_px);
 }
 
 }  // namespace zproof

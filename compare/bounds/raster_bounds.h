@@ -56,7 +56,7 @@ class RasterBounds {
                       std::span<const WindowCorner> polygon) const;
     double edge_functions_eps_px(const ViewFacts& facts, const TriangleExtent& extent) const;
     void add_tolerance(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
-                       double drift_px) const;
+                       double drift_px, const WindowAreas& areas) const;
     /// Adds what weights err by where depth is their mean.
     void add_weights(TriangleBounds& bounds, const ViewFacts& facts, const WindowAreas& areas,
                      std::span<const WindowCorner> polygon) const;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "compare/judge.h"
@@ -118,15 +119,18 @@ TEST(SingleTriangles, OfATolerantRasterizerRunFarAway) {
     }
 }
 
-/// Needles, which both weights of a corner leave behind it; on a grid, and on none.
+/// Needles, which both weights of a corner leave behind it; on a grid, and on none; with a larger area than
+/// theirs.
 TEST(SingleTriangles, OfATolerantRasterizerEndBeyondTheirTips) {
-    for (const Snap snap : {Snap::none, Snap::nearest})
+    for (const auto& [snap, epsilon_px2] :
+         {std::pair{Snap::none, 0.0}, std::pair{Snap::nearest, 0.0}, std::pair{Snap::none, 1.0}})
         for (const Projection projection : {Projection::perspective, Projection::parallel}) {
             const RasterPrecision precision{.transform = Arithmetic::float64,
                                             .snap = snap,
                                             .edge_functions = EdgeFunctions::from_corner,
                                             .edge_arithmetic = Arithmetic::float64,
                                             .barycentric_tolerance = 1e-2,
+                                            .area_epsilon_px2 = epsilon_px2,
                                             .watertight = false};
             Draw draw(5);
             for (int i = 0; i < 200; ++i) {
@@ -157,6 +161,83 @@ TEST(SingleTriangles, HaveCornersThatNarrowEdgeFunctionsRound) {
                       0u)
                 << i;
         }
+    }
+}
+
+std::array<Seen, 3> three(const std::function<Seen()>& drawn) { return {drawn(), drawn(), drawn()}; }
+
+/// Clipping compares z, which far away is coarse.
+TEST(SingleTriangles, OfVaryingsReachBeyondTheFarPlane) {
+    constexpr RasterPrecision precision{.depth_buffer = DepthBuffer::standard_z,
+                                        .matrix_far = MatrixFar::finite,
+                                        .shown_depth = ShownDepth::varying};
+    Draw draw(13);
+    for (int i = 0; i < 400; ++i) {
+        View view = view_from(glm::vec3(0), 64, 64);
+        view.camera.near_depth = 0.05, view.camera.far_depth = draw.between(150, 250);
+        const auto corner = [&] {
+            return Seen{draw.between(-64, 128), draw.between(-64, 128), draw.power(20, 1000)};
+        };
+        EXPECT_EQ(defects_of(three(corner), view, precision), 0u) << i;
+    }
+}
+
+/// What a side of the picture leaves of a large triangle may be too small to be drawn.
+TEST(SingleTriangles, LoseTheSmallPiecesThatSidesLeave) {
+    constexpr RasterPrecision precision{.transform = Arithmetic::float64,
+                                        .snap = Snap::none,
+                                        .edge_functions = EdgeFunctions::from_corner,
+                                        .edge_arithmetic = Arithmetic::float64,
+                                        .least_area_px2 = 2,
+                                        .watertight = false,
+                                        .clipping = Clipping::view_volume};
+    Draw draw(17);
+    for (int i = 0; i < 400; ++i) {
+        const View view = view_from(glm::vec3(0), 16, 16);
+        const auto corner = [&] {
+            return Seen{draw.between(-8, 24), draw.between(-8, 24), draw.between(1, 2)};
+        };
+        EXPECT_EQ(defects_of(three(corner), view, precision), 0u) << i;
+    }
+}
+
+/// Far leaves nothing of it, but for rounding: a piece beside a corner, whose edges are as short as any.
+TEST(SingleTriangles, HaveCornersBehindTheFarPlane) {
+    constexpr RasterPrecision precision{.matrices = 3,
+                                        .snap = Snap::none,
+                                        .edge_functions = EdgeFunctions::window_coefficients,
+                                        .watertight = false,
+                                        .clipping = Clipping::view_volume,
+                                        .depth_roundings = 4};
+    Draw draw(19);
+    for (int i = 0; i < 4000; ++i) {
+        View view = view_from(glm::vec3(0), 16, 16);
+        const double far = view.camera.far_depth = draw.between(9, 11);
+        const auto beyond = [&](double share) {
+            return Seen{draw.between(-20, 40), draw.between(-20, 40), far * (1 + share)};
+        };
+        const Seen corner{draw.between(2, 14), draw.between(2, 14), far * (1 + draw.between(0, 3e-7))};
+        EXPECT_EQ(defects_of({{corner, beyond(0.002), beyond(0.003)}}, view, precision), 0u) << i;
+    }
+}
+
+/// Depths of both signs cancel where the eye is, and their roundings do not.
+TEST(SingleTriangles, PassAParallelEye) {
+    constexpr RasterPrecision precision{.transform = Arithmetic::float64,
+                                        .snap = Snap::none,
+                                        .edge_functions = EdgeFunctions::from_corner,
+                                        .edge_arithmetic = Arithmetic::float64,
+                                        .watertight = false,
+                                        .depth_roundings = 1};
+    Draw draw(23);
+    for (int i = 0; i < 400; ++i) {
+        View view = view_from(glm::vec3(0), 64, 16);
+        view.camera.projection = Projection::parallel;
+        view.camera.near_depth = -300;
+        const auto corner = [&] {
+            return Seen{draw.between(-64, 128), draw.between(-16, 32), draw.between(-250, 250)};
+        };
+        EXPECT_EQ(defects_of(three(corner), view, precision), 0u) << i;
     }
 }
 
