@@ -27,11 +27,6 @@ struct WindowTriangle {
         const double least_edge = std::ranges::min(edges_px());
         return least_edge > 0 ? twice_area_px2() / least_edge : 0;
     }
-    /// What is left of its area at least when each corner moves by drift_px in x and in y.
-    double least_area_px2(double drift_px) const {
-        const auto [a, b, c] = edges_px();
-        return twice_area_px2() / 2 - drift_px * (a + b + c) - 4 * drift_px * drift_px;
-    }
     double twice_area_px2() const {
         const glm::dvec2 a = corner_px[1] - corner_px[0], b = corner_px[2] - corner_px[0];
         return std::abs(a.x * b.y - a.y * b.x);
