@@ -41,7 +41,7 @@ std::array<Affine<Number>, 3> weights_of(const ViewRay<Number>& ray, const Neigh
     std::array<Affine<Number>, 3> weights = edges_of(ray, corners);
     if (n.has_image_weights)
         for (size_t i = 0; i < 3; ++i)
-            weights[i] = magnitude(dot(cross(ray.step_x, ray.step_y), corners[i] - ray.origin)) * weights[i];
+            weights[i] = camera_depth<Number>(ray, corners[i] - ray.origin) * weights[i];
     return weights;
 }
 

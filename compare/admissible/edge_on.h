@@ -85,8 +85,8 @@ std::optional<SegmentImage<Number>> segment_image(const ViewRay<Number>& ray, co
 /// eye.
 template <class Number>
 std::optional<SegmentImage<Number>> point_image(const ViewRay<Number>& ray, const Vector3<Number>& p_world) {
-    const Vector3<Number> p = p_world - ray.origin, along = cross(ray.step_x, ray.step_y);
-    const Number depth = dot(along, p) / dot(along, ray.direction), none(0);
+    const Vector3<Number> p = p_world - ray.origin;
+    const Number depth = camera_depth(ray, p), none(0);
     const bool perspective = ray.projection == Projection::perspective;
     if (perspective && sign(depth) <= 0) return std::nullopt;
     const Vector3<Number> axis = detail::axis_off(perspective ? p : ray.direction);

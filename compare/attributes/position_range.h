@@ -33,12 +33,6 @@ struct PositionRange {
     std::vector<HalfSpace<Number>> across, along;
 };
 
-template <class Number>
-Number camera_depth(const ViewRay<Number>& ray, const Vector3<Number>& from_origin) {
-    const Vector3<Number> along = cross(ray.step_x, ray.step_y);
-    return dot(along, from_origin) / dot(along, ray.direction);
-}
-
 /// A point of camera depth t that is seen at (x, y) px is origin + t direction + X step_x + Y step_y, with
 /// X = t x for perspective and X = x for parallel projections. Cramer's rule gives each, times the
 /// determinant.

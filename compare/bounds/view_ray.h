@@ -22,6 +22,13 @@ struct ViewRay {
     ViewRay(const View& view, int pixel_x, int pixel_y);
 };
 
+/// Of a point that lies so far from the ray's origin.
+template <class Number>
+Number camera_depth(const ViewRay<Number>& ray, const Vector3<Number>& from_origin) {
+    const Vector3<Number> along = cross(ray.step_x, ray.step_y);
+    return dot(along, from_origin) / dot(along, ray.direction);
+}
+
 /// The view rays of one view: what they have in common is worked out once.
 template <class Number>
 class ViewRays {

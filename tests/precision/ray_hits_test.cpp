@@ -63,7 +63,6 @@ bool is_exactly_hit(const View& view, const CornersWorld& v, const PixelCoord& p
 
 struct Counted {
     int hits = 0, refused = 0;
-    double largest_error = 0;  ///< over its bound
 };
 
 /// Needles through a pixel's ray that lead away from the eye.
@@ -92,10 +91,8 @@ Counted needles_of(RayTest test, HitPoint told) {
         const std::optional<float> depth = hit(test, v, glm::vec3(d));
         if (!depth || !is_exactly_hit(view, v, pixel)) continue;
         const TriangleDepth triangle(TriangleInView(view, bounds, v), bounds);
-        const DepthCheck checked = check_depth(view, bounds, v, triangle, pixel, *depth);
         ++counted.hits;
-        counted.refused += !checked.is_admissible;
-        counted.largest_error = std::max(counted.largest_error, checked.error_over_bound);
+        counted.refused += !check_depth(view, bounds, v, triangle, pixel, *depth).is_admissible;
     }
     return counted;
 }
