@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "bench/suites.h"
+#include "math/processor.h"
 #include "oracle/embree.h"
-#include "rasterizer/dispatch.h"
+#include "rasterizer/kernel.h"
 
 namespace {
 
@@ -38,7 +39,7 @@ int main(int argc, char** argv) {
     benchmark::Initialize(&count, arguments.data());
     if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
     benchmark::AddCustomContext("threads", std::to_string(arena.max_concurrency()));
-    benchmark::AddCustomContext("rasterizer_kernels", rasterizer::widest_kernel().name);
+    benchmark::AddCustomContext("rasterizer_kernels", widest_of(rasterizer::kernels).name);
     benchmark::AddCustomContext("reference", oracle::embree_version());
     arena.execute([] {
         bench::add_rasterizer();

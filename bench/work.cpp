@@ -13,6 +13,7 @@
 #include "compare/judge.h"
 #include "filters/methods/catalogue.h"
 #include "filters/stored/code_sums.h"
+#include "math/processor.h"
 #include "oracle/embree.h"
 #include "rasterizer/pipeline.h"
 #include "rasterizer/rasterizer.h"
@@ -94,7 +95,7 @@ std::map<std::string, Piece> pieces() {
     const std::map<std::string, TimedScene (*)()> scenes{
         {"room", room}, {"ripples", [] { return ripples(250, 125); }}, {"soup", soup}};
     for (const auto& [name, make] : scenes) {
-        for (const rasterizer::Kernel& kernel : rasterizer::available_kernels())
+        for (const rasterizer::Kernel& kernel : available_of(rasterizer::kernels))
             all["rasterizer " + std::string{kernel.name} + " " + name] = drawing(kernel, make);
         all["judge " + name] = judging(make);
         all["oracle " + name] = tracing(make);

@@ -15,6 +15,7 @@ class EarlyEnd {
     /// What came of a view, in the order of the run. To be called again where its outcome became a worse one.
     void note(const ViewResult& view);
 
+    bool has_seen_a_failure() const { return failed_ > 0; }
     bool is_due() const { return !why_.empty(); }
     const std::string& why() const { return why_; }  ///< what is said of each view that is left
 

@@ -116,22 +116,17 @@ ExitCode judge_and_report(const RunRequest& request) {
     CauseVote causes;
     {
         Progress progress{std::cerr, progress_of(report.common), expected_work(sources, report.common.out)};
-        const RunConfig config{settings.resolution,
+        const RunConfig config{renderers,
+                               settings,
+                               report,
+                               views,
+                               gate,
                                out.working(),
                                names,
                                progress,
                                early_end,
-                               renderers,
-                               gate,
-                               report.pictures,
-                               report.evidence,
-                               report.diagnosis,
                                causes,
                                are_all_shown(sources),
-                               settings.samples,
-                               views,
-                               report.typed,
-                               report.common.out,
                                cache ? &*cache : nullptr};
         scenes_left = judge_supervised(sources, config, report.common.threads, results);
     }

@@ -33,12 +33,13 @@ namespace zproof {
 namespace {
 
 Resolution resolution_of(const SceneSource& source, const RunConfig& config) {
-    return source.size.value_or(config.resolution);
+    return source.size.value_or(config.settings.resolution);
 }
 
 /// Does the suite's manifest, which is written for the usual pictures, speak of these?
 bool has_expectations(const SceneSource& source, const RunConfig& config) {
-    return config.resolution == default_resolution && (!source.size || source.size == source.usual_size);
+    return config.settings.resolution == default_resolution &&
+           (!source.size || source.size == source.usual_size);
 }
 
 /// Candidate, reference and oracles of one scene.
@@ -104,7 +105,7 @@ std::vector<OracleAnswer> ask_oracles(const ViewRun& view_run, const JudgedPair&
         answers.push_back(ask_oracle(oracle, view_run.context, view_run.place, judged.reference));
     }
     const std::filesystem::path folder = view_run.config.run_folder / result.folder;
-    if (is_kept && view_run.config.pictures == PictureMode::shaded)
+    if (is_kept && view_run.config.report.pictures == PictureMode::shaded)
         paint({view_run.context, candidate, judged.verdict.classes, folder}, view_run.opened.oracles,
               answers);
     for (const OracleAnswer& answer : answers) {
@@ -135,15 +136,17 @@ std::vector<Finding> failing(std::span<const Finding> findings) {
     return found;
 }
 
-/// What the judge says; of a view that leaves no evidence what the page shows of it.
+/// What the judge says; of a view that leaves no evidence what the page shows of it. After one that failed
+/// the next is likely to fail, and is judged in full at once.
 Verdict judge_as_wanted(const ViewRun& view_run, const RenderedFrame& candidate,
                         const RenderedFrame& reference) {
     const ViewContext& context = view_run.context;
-    if (view_run.config.evidence == Evidence::defects) {
+    const bool is_likely_right = !view_run.config.early_end.has_seen_a_failure();
+    if (view_run.config.report.evidence == Evidence::defects && is_likely_right) {
         JudgeOptions options;
         if (view_run.config.shows_every_view) options.findings = JudgeOptions::Findings::differences;
         Verdict verdict = judge(context.scene, context.view, candidate, reference, options);
-        if (!leaves_evidence(verdict, view_run.config.evidence)) return verdict;
+        if (!leaves_evidence(verdict, view_run.config.report.evidence)) return verdict;
     }
     return judge(context.scene, context.view, candidate, reference, full_detail);
 }
@@ -207,9 +210,9 @@ std::optional<ViewResult> explained(const ViewRun& view_run, const CandidateFram
                              {candidate.said(), view_run.opened.candidate.convention}, {}, earlier);
     };
     tbb::task_group beside;
-    if (config.diagnosis == CauseSearch::done)
+    if (config.report.diagnosis == CauseSearch::done)
         beside.run([&] { is_diagnosed = done_uninterrupted(find_cause); });
-    const bool is_whole = leaves_evidence(judged.verdict, config.evidence);
+    const bool is_whole = leaves_evidence(judged.verdict, config.report.evidence);
     const std::vector<Finding> told = is_whole ? judged.verdict.findings : failing(judged.verdict.findings);
     ViewResult result = to_view_result(context, judged.verdict, told, config.gate, candidate);
     if (is_whole || config.shows_every_view) write_pictures(view_run, judged, is_whole, result);
@@ -385,7 +388,7 @@ Ending run_views(const SceneRun& run) {
         if (source.share.has_the_first()) record.add(without_triangles(source, loaded.scene));
         return Ending::complete;
     }
-    const std::vector<View> views = at_samples(wanted_views(loaded, config.views), config.samples);
+    const std::vector<View> views = at_samples(wanted_views(loaded, config.views), config.settings.samples);
     const std::vector<std::size_t> places = places_in(source.share, views);
     if (places.empty()) return Ending::complete;
     config.progress.expect_views(places.size());
@@ -425,7 +428,7 @@ Ending run_views_or_say_why_not(const SceneSource& source, const RunConfig& conf
     try {
         const Ending ending = run_views({source, config, clock, record});
         if (ending == Ending::complete && has_expectations(source, config) &&
-            std::ranges::all_of(config.samples, is_centre) && are_the_usual(config.renderers))
+            std::ranges::all_of(config.settings.samples, is_centre) && are_the_usual(config.renderers))
             hold_to_expectations(source, config, results);
         return ending;
     } catch (const SceneError& e) {
@@ -449,10 +452,10 @@ std::string refused_projection(const Projections& has, const Camera& camera) {
 
 ViewResult ended_by_fault(const SceneSource& source, const RunConfig& config, const std::string& how,
                           const std::string& stage) {
-    return unjudged(
-        source, Outcome::internal_error,
-        how + (stage.empty() ? "" : " at '" + stage + "'") + "; to see it again: " +
-            judging_command_for(source, config.renderers, resolution_of(source, config), config.command));
+    return unjudged(source, Outcome::internal_error,
+                    how + (stage.empty() ? "" : " at '" + stage + "'") + "; to see it again: " +
+                        judging_command_for(source, config.renderers, resolution_of(source, config),
+                                            config.report.typed));
 }
 
 ViewResult left_out(const SceneSource& source, const EarlyEnd& early_end) {

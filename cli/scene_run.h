@@ -28,23 +28,18 @@ struct ViewChoice {
 
 /// What the scenes of one run share.
 struct RunConfig {
-    Resolution resolution;
+    const ChosenRenderers& renderers;
+    const RenderSettings& settings;
+    const ReportArguments& report;
+    const ViewChoice& views;
+    const Gate& gate;
     std::filesystem::path run_folder;  ///< evidence goes below it, into scenes/
     FolderNames& names;
     Progress& progress;
     EarlyEnd& early_end;
-    const ChosenRenderers& renderers;
-    const Gate& gate;
-    PictureMode pictures;
-    Evidence evidence;
-    CauseSearch diagnosis;
     CauseVote& causes;
-    bool shows_every_view;               ///< does a view without evidence leave what the page shows of it?
-    const std::vector<Sample>& samples;  ///< of every view
-    ViewChoice views{};
-    const std::string& command;                         ///< as typed
-    const std::filesystem::path& out;                   ///< where run_folder will be
-    oracle::ReferenceCache* reference_cache = nullptr;  ///< nothing: reference frames are not kept
+    bool shows_every_view;  ///< does a view without evidence leave what the page shows of it?
+    oracle::ReferenceCache* reference_cache;  ///< nothing: reference frames are not kept
 };
 
 /// The view's projection, where it is none of those that the renderer has.

@@ -87,7 +87,7 @@ bool still_fails(const ChosenRenderers& renderers, const SceneAndView& at, const
 }
 
 std::optional<View> view_of(const Loaded& loaded, const RunConfig& config, const ViewResult& result) {
-    const std::vector<View> views = at_samples(loaded.views, config.samples);
+    const std::vector<View> views = at_samples(loaded.views, config.settings.samples);
     const auto view = std::ranges::find(views, result.view, shown_name);
     return view == views.end() ? std::nullopt : std::optional(*view);
 }
@@ -101,7 +101,8 @@ std::string command_for(const RunConfig& config, const std::filesystem::path& fi
                         const Failure& failure) {
     const SceneSource source{
         SceneSource::Kind::view_file, least.scene.name, file.generic_string(), "", {}, 0};
-    if (!failure) return judging_command_for(source, config.renderers, config.resolution, config.command);
+    if (!failure)
+        return judging_command_for(source, config.renderers, config.settings.resolution, config.report.typed);
     const glm::ivec2 pixel = Trial(config.renderers, least).pixel(*failure);
     return explain_command_for({source, least.scene, "", least.view, config.renderers},
                                config.renderers.candidate, pixel.x, pixel.y);
@@ -120,7 +121,7 @@ void Shrinker::look_at(const SceneSource& source, ViewResult& result) {
         !seen_.insert(name_of_failure(*failure, result)).second)
         return;
     config_.progress.begin_stage("shrink");
-    Loaded loaded = load(source, config_.resolution);
+    Loaded loaded = load(source, config_.settings.resolution);
     const std::optional<View> view = view_of(loaded, config_, result);
     if (!view) return;
     const SceneAndView failing{std::move(loaded.scene), *view};
@@ -135,7 +136,7 @@ void Shrinker::look_at(const SceneSource& source, ViewResult& result) {
                      .before = size_of(failing),
                      .after = size_of(least),
                      .tries = tries,
-                     .command = command_for(config_, config_.out / file, least, *failure)};
+                     .command = command_for(config_, config_.report.common.out / file, least, *failure)};
 }
 
 std::string shrunk_in_words(const Results& results, const std::filesystem::path& planned,

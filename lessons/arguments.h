@@ -29,7 +29,7 @@ struct DepthOptions {
 
 /// The cost study's own.
 struct CostOptions {
-    int repeats = 9;  ///< measured runs for each time
+    int repeats = 5;  ///< measured runs for each time
 };
 
 /// What every study is asked with. A study's own options get a member of their own here.

@@ -1,7 +1,6 @@
 /// Instruction sets: what the processor has, and how much of it code may use that is compiled once for each.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -42,15 +41,15 @@ void allow_at_most(InstructionSet set);
 /// The one of `kernels` for widest_allowed(): code that is compiled once for each instruction set, in their
 /// order.
 template <class Kernel, std::size_t count>
-const Kernel& widest_of(const std::array<const Kernel*, count>& kernels) {
-    return *kernels.at(std::size_t(widest_allowed()));
+const Kernel& widest_of(const Kernel* const (&kernels)[count]) {
+    return *kernels[std::size_t(widest_allowed())];
 }
 
 /// Those of `kernels` that this processor can run, narrowest first.
 template <class Kernel, std::size_t count>
-std::vector<Kernel> available_of(const std::array<const Kernel*, count>& kernels) {
+std::vector<Kernel> available_of(const Kernel* const (&kernels)[count]) {
     std::vector<Kernel> available;
-    for (const InstructionSet set : instruction_sets()) available.push_back(*kernels.at(std::size_t(set)));
+    for (const InstructionSet set : instruction_sets()) available.push_back(*kernels[std::size_t(set)]);
     return available;
 }
 

@@ -6,9 +6,10 @@
 
 #include "frame/frame.h"
 #include "frame/picture.h"
-#include "rasterizer/dispatch.h"
+#include "math/processor.h"
 #include "rasterizer/draw_list.h"
 #include "rasterizer/front_to_back.h"
+#include "rasterizer/kernel.h"
 #include "rasterizer/rules.h"
 #include "rasterizer/tile_bins.h"
 #include "rasterizer/view_setup.h"
@@ -39,7 +40,7 @@ struct ShadedFrame {
 /// frame.
 class Pipeline {
   public:
-    explicit Pipeline(const Rules& rules, const Kernel& kernel = widest_kernel(),
+    explicit Pipeline(const Rules& rules, const Kernel& kernel = widest_of(kernels),
                       const Optimizations& optimizations = {})
         : rules_(rules), kernel_(kernel), optimizations_(optimizations), projected_(kernel), bins_(kernel) {}
 
@@ -78,7 +79,7 @@ class Pipeline {
 
 /// Renders by the given rules.
 Frame render_by(const Rules& rules, const Scene& scene, const View& view,
-                const Kernel& kernel = widest_kernel());
+                const Kernel& kernel = widest_of(kernels));
 
 /// How many fragments each pixel gets before any depth test, by the set-up, bins and scan of render_by(). On
 /// a closed front, one layer of a manifold, it is one at every pixel that the front covers.

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "math/bulk.h"
-#include "rasterizer/dispatch.h"
+#include "math/processor.h"
 #include "rasterizer/draw_list.h"
+#include "rasterizer/kernel.h"
 #include "rasterizer/view_setup.h"
 #include "scenes/scene.h"
 
@@ -16,7 +17,7 @@ namespace zproof::rasterizer {
 /// The vertices of a scene as one view sees them.
 class ProjectedVertices {
   public:
-    explicit ProjectedVertices(const Kernel& kernel = widest_kernel()) : kernel_(kernel) {}
+    explicit ProjectedVertices(const Kernel& kernel = widest_of(kernels)) : kernel_(kernel) {}
 
     /// Transforms every vertex once, on the threads of the surrounding tbb::task_arena. Memory is kept from
     /// the time before.

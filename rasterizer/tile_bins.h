@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "math/bulk.h"
+#include "math/processor.h"
 #include "rasterizer/binned_run.h"
-#include "rasterizer/dispatch.h"
+#include "rasterizer/kernel.h"
 #include "rasterizer/projected_vertices.h"
 #include "rasterizer/tile_grid.h"
 
@@ -18,7 +19,7 @@ namespace zproof::rasterizer {
 /// The triangles of a view by tile.
 class TileBins {
   public:
-    explicit TileBins(const Kernel& kernel = widest_kernel()) : kernel_(kernel) {}
+    explicit TileBins(const Kernel& kernel = widest_of(kernels)) : kernel_(kernel) {}
 
     /// Sorts every triangle of the scene, in fixed runs of triangles, on the threads of the surrounding
     /// tbb::task_arena: the bins do not depend on the number of threads. Memory is kept from the time before.

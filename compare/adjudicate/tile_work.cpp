@@ -241,7 +241,7 @@ double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult
     const double reach_px = first_reach * around_.eps_px;
     if (reach_px > searched_px) return reach_px;
     around_.is_watertight = query.bounds->is_watertight();
-    around_.cuts_triangles = query.bounds->cuts_triangles();
+    around_.clip_windows = query.bounds->clip_windows();
     around_.view.camera.near_depth = query.bounds->near_depth();
     gather(reach_px);
     add_answer(query);

@@ -395,7 +395,7 @@ HalfPlanes<Number> AdmissibleSet<Number>::cover(size_t occluder, std::optional<s
     const size_t edges = half_planes.size();
     push_planes(half_planes, occluder);
     // what near and far leave is moved as a whole
-    if (stays == EdgeStays::no && around_.cuts_triangles)
+    if (stays == EdgeStays::no && !around_.clip_windows.empty())
         std::transform(half_planes.begin() + std::ptrdiff_t(edges), half_planes.end(),
                        half_planes.begin() + std::ptrdiff_t(edges),
                        [&](LinePointer f) { return moved_inwards(f); });
@@ -468,33 +468,25 @@ bool AdmissibleSet<Number>::holds_centre(size_t occluder, std::optional<size_t> 
 }
 
 /// May the renderer cut the occluder into triangles that share an edge within eps of the square's centre?
-/// That edge may end wherever near and far may cut: it is looked at for both ends of each step of theirs, and
+/// That edge may end wherever the planes may cut: it is looked at for both ends of each step of theirs, and
 /// may not pass the centre between.
 template <class Number>
 bool AdmissibleSet<Number>::is_cut_at_the_centre(size_t occluder) {
     const Neighbour& n = around_.neighbours[occluder];
     const Camera& c = around_.view.camera;
-    if (!around_.cuts_triangles || !n.may_be_clipped(c)) return false;
-    if (!std::isfinite(n.near_slack + n.far_slack)) return true;
-    const CutTriangle<Number> triangle(c, corners<Number>(n.p_world));
-    const auto near = triangle.steps(c.near_depth - n.near_slack, c.near_depth + n.near_slack);
-    const bool has_far = std::isfinite(c.far_depth);
-    const auto far = has_far ? triangle.steps(c.far_depth - n.far_slack, c.far_depth + n.far_slack)
-                             : std::vector<Number>(2);
-    const auto pieces = [&](size_t i, size_t j) {
-        std::vector<PolygonWorld<Number>> at_ends;
-        for (const bool near_end : {false, true})
-            for (const bool far_end : {false, true}) {
-                const CutDepth<Number> of_far{far[j + far_end], !far_end || n.far_slack == 0};
-                at_ends.push_back(triangle.left_between({near[i + near_end], near_end || n.near_slack == 0},
-                                                        has_far ? std::optional(of_far) : std::nullopt));
-            }
-        return at_ends;
-    };
-    for (size_t i = 0; i + 1 < near.size(); ++i)
-        for (size_t j = 0; j + 1 < far.size(); ++j)
-            if (do_diagonals_pass(ray_, Number(half_side_px_), pieces(i, j))) return true;
-    return false;
+    if (around_.clip_windows.empty()) return false;
+    if (!std::isfinite(n.near_slack + n.far_slack) && n.may_be_clipped(c)) return true;
+    const Corners<Number> p_world = corners<Number>(n.p_world);
+    const PolygonWorld<Number> triangle(p_world.begin(), p_world.end());
+    const double u_per_px = (c.window.right - c.window.left) / around_.view.width,
+                 v_per_px = (c.window.top - c.window.bottom) / around_.view.height;
+    return std::ranges::any_of(around_.clip_windows, [&](const Window& window) {
+        const std::vector<CutPlane<Number>> planes = cut_planes<Number>(
+            c, window, {n.near_slack, n.far_slack, half_side_px_ * u_per_px, half_side_px_ * v_per_px});
+        return any_cut<Number>(triangle, planes, {triangle}, [&](const auto& polygons) {
+            return do_diagonals_pass(ray_, Number(half_side_px_), polygons);
+        });
+    });
 }
 
 template <class Number>

@@ -120,9 +120,8 @@ Neighbour neighbour_of(const ViewRay<double>& ray, const BoundedTriangle& triang
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
                                const SearchPixel& search_pixel, double own_eps_px) {
     const ViewRay<double> ray(view, search_pixel.x, search_pixel.y);
-    Neighbourhood around{view,       search_pixel.x,         search_pixel.y,
-                         own_eps_px, bounds.is_watertight(), bounds.cuts_triangles(),
-                         {}};
+    Neighbourhood around{
+        view, search_pixel.x, search_pixel.y, own_eps_px, bounds.is_watertight(), bounds.clip_windows(), {}};
     around.view.camera.near_depth = bounds.near_depth();
     for (const std::uint32_t triangle : search_pixel.triangles) {
         Neighbour& n = around.neighbours.emplace_back(neighbour_of(ray, bounds, corners_of(scene, triangle)));

@@ -42,10 +42,10 @@ struct Neighbourhood {
     int x = 0, y = 0;
     double eps_px =
         0;  ///< half-side of the square: the largest eps of the answer and the triangles around it
-    bool is_watertight = true;          ///< does the renderer move triangles that share an edge alike?
-    bool cuts_triangles = false;        ///< does it cut what near or far clips into triangles?
-    std::vector<Neighbour> neighbours;  ///< in triangle order
-    std::size_t most_work = 500'000;    ///< a decision that would take more is left open (TooMuchWork)
+    bool is_watertight = true;           ///< does the renderer move triangles that share an edge alike?
+    std::vector<Window> clip_windows{};  ///< of ViewBounds
+    std::vector<Neighbour> neighbours;   ///< in triangle order
+    std::size_t most_work = 500'000;     ///< a decision that would take more is left open (TooMuchWork)
 
     /// The triangle's place among the neighbours, if it is there.
     std::optional<std::size_t> index_of(PrimitiveId triangle) const;

@@ -25,6 +25,15 @@ Precision shown_precision(const Precision& precision) {
     return reported;
 }
 
+/// Nobody knows where one clips of which nothing is known.
+std::vector<Window> clip_windows_of(const View& view, const Precision& precision) {
+    const auto* raster = std::get_if<RasterPrecision>(&precision);
+    if (raster != nullptr && raster->edge_functions != EdgeFunctions::homogeneous)
+        return {clip_window_of(view, raster->clipping)};
+    if (!std::holds_alternative<BoundedPrecision>(precision)) return {};
+    return {view.camera.window, clip_window_of(view, Clipping::guard_band)};
+}
+
 /// A depth is rounded to the nearest step, and that to float32.
 void allow_steps(double depth_step, TriangleBounds& bounds) {
     constexpr double u = unit_roundoff_float32;
@@ -51,6 +60,7 @@ ViewBounds::ViewBounds(const View& view, const Precision& precision)
                                              : view.camera.near_depth),
       depth_step_(std::visit([](const auto& p) { return p.depth_step; }, precision)),
       is_watertight_(zproof::is_watertight(precision)),
+      clip_windows_(clip_windows_of(view, precision)),
       of_kind_(std::visit([&](const auto& p) -> OfKind { return for_kind(facts_, p); }, precision)) {}
 
 ViewBounds ViewBounds::of_shown(const View& view, const Precision& precision) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "compare/bounds/bounded_bounds.h"
 #include "compare/bounds/depth_bound.h"
@@ -40,10 +41,9 @@ class ViewBounds {
     bool can_be_stored(double depth) const;
     /// Do triangles that share an edge move it alike?
     bool is_watertight() const { return is_watertight_; }
-    /// Does it make several triangles of one that near or far clips? A ray caster clips none.
-    bool cuts_triangles() const {
-        return raster() ? !raster()->is_homogeneous() : std::holds_alternative<BoundedBounds>(of_kind_);
-    }
+    /// It may clip a triangle by near, far and the sides of one of these, and make several of what is left.
+    /// None of a ray caster and of a homogeneous rasterizer.
+    const std::vector<Window>& clip_windows() const { return clip_windows_; }
     /// Is every pixel's depth held against near and far?
     bool cuts_by_depth() const { return !raster() || raster()->is_homogeneous(); }
     /// Does clipping put new edges on the image's sides?
@@ -77,6 +77,7 @@ class ViewBounds {
     double depth_step_;         ///< between reported depths, scene units
     bool is_of_shown_ = false;  ///< does a depth's bound hold what is rounded to a step?
     bool is_watertight_;
+    std::vector<Window> clip_windows_;
     OfKind of_kind_;
     std::optional<RasterBounds>
         clipping_{};  ///< of a shown varying: what is compared, and cut by near and far

@@ -53,7 +53,7 @@ ClipPolygon after_clipping(const ViewFacts& facts, const TriangleExtent& extent,
     const bool is_before_eye = c.projection == Projection::parallel ||
                                std::ranges::all_of(triangle, [](const glm::dvec3& p) { return p.z > 0; });
     if (polygon.empty() && is_before_eye) polygon = triangle;
-    return inside_window(c, polygon, clipping == Clipping::guard_band ? guard_band_of(facts.view) : c.window);
+    return inside_window(c, polygon, clip_window_of(facts.view, clipping));
 }
 
 double length_px(const glm::dvec2& v) { return std::abs(v.x) + std::abs(v.y); }
@@ -224,8 +224,9 @@ class WeightErrors {
 
 }  // namespace
 
-Window guard_band_of(const View& view) {
+Window clip_window_of(const View& view, Clipping clipping) {
     const Window& w = view.camera.window;
+    if (clipping == Clipping::view_volume) return w;
     const double u_per_px = (w.right - w.left) / view.width, v_per_px = (w.top - w.bottom) / view.height;
     const double reach_u = guard_band_px * u_per_px, reach_v = guard_band_px * v_per_px;
     return {.left = w.left - reach_u,

@@ -56,8 +56,8 @@ enum class CornerSigns { known, any };
 PlaneEquationBounds plane_equation_bounds(std::span<const WindowCorner> polygon, const CornerShift& shift,
                                           const View& view, CornerSigns signs = CornerSigns::known);
 
-/// The window grown to the guard band, in units of the image plane.
-Window guard_band_of(const View& view);
+/// What triangles are clipped to: the window, or that grown to the guard band; in units of the image plane.
+Window clip_window_of(const View& view, Clipping clipping);
 
 /// How far corners and edges of a triangle in the window may be off.
 struct EdgeShift {

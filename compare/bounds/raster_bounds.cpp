@@ -31,7 +31,7 @@ double window_reach_px(const ViewFacts& facts) {
 /// Planes with a corner of the triangle beyond: near, far, and the sides of what is clipped to.
 int cut_count(const ViewFacts& facts, const TriangleExtent& extent, Clipping clipping) {
     const Camera& c = facts.view.camera;
-    const Window sides = clipping == Clipping::view_volume ? c.window : guard_band_of(facts.view);
+    const Window sides = clip_window_of(facts.view, clipping);
     std::array<bool, 6> cuts{};
     for (std::size_t i = 0; i < 3; ++i) {
         const double depth = extent.size.depth[i], w = facts.perspective ? depth : 1;

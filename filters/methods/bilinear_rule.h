@@ -7,8 +7,9 @@
 
 #include "filters/methods/mip_reads.h"
 #include "filters/methods/read_collector.h"
-#include "filters/reads/dispatch.h"
+#include "filters/reads/kernel.h"
 #include "filters/reads/tiles.h"
+#include "math/processor.h"
 
 namespace zproof::texture {
 
@@ -99,7 +100,7 @@ template <class Reads>
 Sampler prepare_bilinear(const LinearImage& image, const FilterOptions& options) {
     const auto rule = std::make_shared<const BilinearRule<Reads>>(image, options);
     const auto colours = [rule](std::span<const Footprint> seen, std::span<glm::dvec4> sums) {
-        rule->colours(reads::widest_kernel(), seen, sums);
+        rule->colours(widest_of(reads::kernels), seen, sums);
     };
     return {.colour =
                 [colours](const Footprint& footprint) {

@@ -7,7 +7,8 @@
 #include <cassert>
 #include <vector>
 
-#include "filters/sums/dispatch.h"
+#include "filters/sums/kernel.h"
+#include "math/processor.h"
 
 namespace zproof::texture {
 
@@ -21,13 +22,13 @@ constexpr std::size_t streamed_from_bytes = std::size_t{32} << 20;
 /// The number of rows that are added to their columns at once.
 constexpr int added_together = 8;
 
-void add(const sums::Rows<std::uint8_t>& rows) { sums::widest_kernel().add_bytes(rows); }
-void add(const sums::Rows<std::uint16_t>& rows) { sums::widest_kernel().add_words(rows); }
+void add(const sums::Rows<std::uint8_t>& rows) { widest_of(sums::kernels).add_bytes(rows); }
+void add(const sums::Rows<std::uint16_t>& rows) { widest_of(sums::kernels).add_words(rows); }
 void sum(const sums::Rows<std::uint8_t>& rows, const sums::Table& table) {
-    sums::widest_kernel().sum_bytes(rows, table);
+    widest_of(sums::kernels).sum_bytes(rows, table);
 }
 void sum(const sums::Rows<std::uint16_t>& rows, const sums::Table& table) {
-    sums::widest_kernel().sum_words(rows, table);
+    widest_of(sums::kernels).sum_words(rows, table);
 }
 
 template <class Code>

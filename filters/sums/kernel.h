@@ -45,4 +45,13 @@ namespace avx512 {
 extern const Kernel kernel;
 }
 
+/// One for each InstructionSet of the machine, for widest_of() and available_of().
+inline constexpr const Kernel* kernels[] = {
+    &scalar::kernel,
+#ifdef __x86_64__
+    &avx2::kernel,
+    &avx512::kernel,
+#endif
+};
+
 }  // namespace zproof::texture::sums

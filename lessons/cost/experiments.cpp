@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "math/processor.h"
 #include "rasterizer/pipeline.h"
 #include "scenes/suite/mesh_builder.h"
 #include "scenes/suite/views.h"
@@ -108,7 +109,7 @@ std::string constant_meaning(const std::string& name) {
 Quantities quantities_of(const Scene& scene, const View& view) {
     const rasterizer::Optimizations plain{.hierarchical_z = rasterizer::HierarchicalZ::none};
     const rasterizer::Work work =
-        rasterizer::Pipeline(rasterizer::correct_rules, rasterizer::widest_kernel(), plain)
+        rasterizer::Pipeline(rasterizer::correct_rules, widest_of(rasterizer::kernels), plain)
             .count_work(scene, view);
     return {double(work.vertices), double(work.bins.set_up), double(work.tally.fragments),
             double(work.pixels), double(work.tally.blocks)};

@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "rasterizer/dispatch.h"
+#include "math/processor.h"
+#include "rasterizer/kernel.h"
 #include "rasterizer/tile.h"
 
 namespace zproof::study::cost {
@@ -64,7 +65,7 @@ void LecturePipeline::shade() {
 
 void LecturePipeline::rasterize() {
     bins_.fill(scene_, projected_, setup_);
-    const rasterizer::Kernel& kernel = rasterizer::widest_kernel();
+    const rasterizer::Kernel& kernel = widest_of(rasterizer::kernels);
     for (std::size_t i = 0; i < bins_.tiles().count(); ++i) {
         const rasterizer::PixelRect pixels = bins_.tiles().pixels(i, setup_.size);
         if (bins_.entries_in(i).empty()) {

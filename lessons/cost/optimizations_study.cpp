@@ -8,6 +8,7 @@
 #include <map>
 
 #include "compare/judge.h"
+#include "math/processor.h"
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"
 #include "rasterizer/shader.h"
@@ -52,38 +53,48 @@ bool same_bits(float a, float b) {
     return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
-/// Knows the plain frame, and asks the gate only about frames that differ from it.
+/// The pixels in which two frames differ, beside the defects of one.
+Sameness differing(const Frame& a, const Frame& b, std::uint64_t defects) {
+    Sameness same{.defects = defects};
+    for (std::size_t i = 0; i < a.primitive.pixels().size(); ++i) {
+        same.other_ids += a.primitive.pixels()[i] != b.primitive.pixels()[i] ? 1 : 0;
+        same.other_depths += same_bits(a.camera_depth.pixels()[i], b.camera_depth.pixels()[i]) ? 0 : 1;
+    }
+    return same;
+}
+
+/// Knows the plain frame, and asks the judge once about frames of the same bits.
 class Gate {
   public:
     Gate(const Scene& scene, const View& view, const Frame& plain_frame)
-        : scene_(scene),
-          view_(view),
-          plain_(plain_frame),
-          reference_(oracle::Embree(scene).trace(view)),
-          plain_defects_(defects_of(plain_frame)) {}
-
-    Sameness ask(const Frame& frame) const {
-        Sameness same;
-        for (std::size_t i = 0; i < frame.primitive.pixels().size(); ++i) {
-            same.other_ids += frame.primitive.pixels()[i] != plain_.primitive.pixels()[i] ? 1 : 0;
-            same.other_depths +=
-                same_bits(frame.camera_depth.pixels()[i], plain_.camera_depth.pixels()[i]) ? 0 : 1;
-        }
-        same.defects = same.other_ids + same.other_depths == 0 ? plain_defects_ : defects_of(frame);
-        return same;
+        : scene_(scene), view_(view), plain_(plain_frame), reference_(oracle::Embree(scene).trace(view)) {
+        defects_of(plain_frame);
     }
 
+    Sameness ask(const Frame& frame) { return differing(frame, plain_, defects_of(frame)); }
+
   private:
-    std::uint64_t defects_of(const Frame& frame) const {
-        return defect_count(
+    struct Asked {
+        Frame frame;
+        std::uint64_t defects;
+    };
+
+    std::uint64_t defects_of(const Frame& frame) {
+        for (const Asked& asked : asked_)
+            if (const Sameness same = differing(frame, asked.frame, 0);
+                same.other_ids + same.other_depths == 0)
+                return asked.defects;
+        const std::uint64_t defects = defect_count(
             judge(scene_, view_, {frame, rasterizer::precision()}, {reference_, oracle::embree_precision()}));
+        asked_.push_back({frame, defects});
+        return defects;
     }
 
     const Scene& scene_;
     const View& view_;
     const Frame& plain_;
     Frame reference_;
-    std::uint64_t plain_defects_;
+    std::vector<Asked> asked_;
 };
 
 /// Every optimization's work counted, and all of them timed in turn.
@@ -93,7 +104,7 @@ std::vector<OptimizationRun> optimization_runs(const Scene& scene, const View& v
     std::deque<Pipeline> pipelines;
     std::vector<std::function<void()>> works;
     for (const Named& named : named_optimizations) {
-        Pipeline& pipeline = pipelines.emplace_back(correct_rules, widest_kernel(), named.optimizations);
+        Pipeline& pipeline = pipelines.emplace_back(correct_rules, widest_of(kernels), named.optimizations);
         runs.push_back({named.name, named.optimizations, pipeline.count_work(scene, view, chunks), {}, {}});
         works.emplace_back([&] { pipeline.render(scene, view, chunks); });
     }
@@ -136,7 +147,7 @@ std::vector<ShadingRun> shading_runs(const Scene& scene, const View& view, int r
     std::vector<std::function<void()>> works;
     for (std::size_t i = 0; i < named_shadings.size(); ++i) {
         const NamedShading& named = named_shadings[i];
-        Pipeline& pipeline = pipelines.emplace_back(correct_rules, widest_kernel(), named.optimizations);
+        Pipeline& pipeline = pipelines.emplace_back(correct_rules, widest_of(kernels), named.optimizations);
         runs[i].name = named.name;
         works.emplace_back([&, i] {
             const ShadedFrame shaded = pipeline.render_shaded(scene, view, light, named.time, chunks);
@@ -174,14 +185,14 @@ std::uint64_t open_edge_count(const Scene& scene) {
 
 OptimizationStudy study_optimizations(const Scene& scene, const View& view, int repeats) {
     OptimizationStudy study{scene.name, view.name, open_edge_count(scene), {}, {}};
-    Pipeline plain_pipeline(correct_rules, widest_kernel(), plain);
+    Pipeline plain_pipeline(correct_rules, widest_of(kernels), plain);
     plain_pipeline.render(scene, view);
     const Frame plain_frame = plain_pipeline.take_frame();
-    const Gate gate(scene, view, plain_frame);
+    Gate gate(scene, view, plain_frame);
     const std::vector<Chunk> chunks = chunks_of(scene);
     study.runs = optimization_runs(scene, view, repeats);
     for (OptimizationRun& run : study.runs) {
-        Pipeline pipeline(correct_rules, widest_kernel(), run.optimizations);
+        Pipeline pipeline(correct_rules, widest_of(kernels), run.optimizations);
         run.same = gate.ask(pipeline.render(scene, view, chunks));
     }
     study.shading = shading_runs(scene, view, repeats);

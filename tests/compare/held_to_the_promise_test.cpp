@@ -162,15 +162,15 @@ TEST(HeldToThePromise, ATriangleThatNearCutsHasAGapAlongADiagonal) {
     EXPECT_EQ(class_by(precision), PixelClass::hole) << "a watertight one has no gap";
 }
 
-/// What near leaves moves as a whole: its cut lies 1/2 px beside the centre of pixel (0, 0).
+/// What near leaves moves as a whole: its cut lies 1/2 px beside the centre of pixel (3, 4).
 TEST(HeldToThePromise, TheCutOfNearMovesWithWhatItLeaves) {
-    TestScene t(Projection::parallel, 8, 8, {{{{-8, -8, 2}, {16, -8, 8}, {16, 24, 8}}}});
-    t.view.camera.near_depth = 4;
-    answer(t.reference, 0, 0, 0, 4.125);
+    TestScene t(Projection::parallel, 8, 8, {{{{-8, -8, 2}, {40, -8, 14}, {-8, 40, 2}}}});
+    t.view.camera.near_depth = 4.75;
+    answer(t.reference, 3, 4, 0, 4.875);
     const auto class_by = [&](double eps_px) {
         t.candidate_precision =
             BoundedPrecision{.eps_px = eps_px, .depth_relative = 1e-9, .watertight = false};
-        return t.class_at(0, 0);
+        return t.class_at(3, 4);
     };
     EXPECT_EQ(class_by(0.51), PixelClass::clip);
     EXPECT_EQ(class_by(0.49), PixelClass::hole);
@@ -188,6 +188,42 @@ TEST(HeldToThePromise, ADiagonalMayEndWhereverFarMayCutBetweenTwoCorners) {
     };
     EXPECT_TRUE(passes(class_by(8)));
     EXPECT_EQ(class_by(8.1), PixelClass::hole) << "far reaches no corner";
+}
+
+/// The image's sides leave a pentagon of the triangle. Where the right one meets the upper one a diagonal
+/// begins that passes 1/2 px beside the centre of pixel (6, 4); less, where the sides cut within eps.
+TEST(HeldToThePromise, ATriangleThatTheSidesCutHasAGapAlongADiagonal) {
+    TestScene t(Projection::parallel, 8, 8, {{{{-8, -8, 4}, {16, -8, 4}, {16, 24, 4}}}});
+    answer(t.reference, 6, 4, 0, 4);
+    const auto class_by = [&](const Precision& declared) {
+        t.candidate_precision = declared;
+        return t.class_at(6, 4);
+    };
+    BoundedPrecision bounded{.eps_px = 0.2609, .depth_relative = 1e-9, .watertight = false};
+    EXPECT_TRUE(passes(class_by(bounded)));
+    bounded.eps_px = 0.2607;
+    EXPECT_EQ(class_by(bounded), PixelClass::hole);
+
+    RasterPrecision raster{.subpixel_bits = 0, .watertight = false, .clipping = Clipping::view_volume};
+    EXPECT_TRUE(passes(class_by(raster)));
+    raster.clipping = Clipping::guard_band;
+    EXPECT_EQ(class_by(raster), PixelClass::hole) << "it lies within the guard band";
+    raster = {.subpixel_bits = 0, .clipping = Clipping::view_volume};
+    EXPECT_EQ(class_by(raster), PixelClass::hole) << "a watertight one has no gap";
+}
+
+/// Whichever side cuts a little of its corner there, what is left has diagonals beside its edges. Along a
+/// side its edge may be cut anywhere.
+TEST(HeldToThePromise, ATriangleWithCornersOnTheSidesHasNoGapWithin) {
+    TestScene t(Projection::parallel, 8, 8, {{{{0, 2, 4}, {8, 3, 4}, {3, 8, 4}}}}),
+        along(Projection::parallel, 8, 8, {{{{0, 0, 4}, {8, 0, 4}, {8, 8, 4}}}});
+    for (TestScene* scene : {&t, &along}) {
+        answer(scene->reference, 5, 4, 0, 4);
+        scene->candidate_precision =
+            BoundedPrecision{.eps_px = 0.01, .depth_relative = 1e-9, .watertight = false};
+    }
+    EXPECT_EQ(t.class_at(5, 4), PixelClass::hole);
+    EXPECT_TRUE(passes(along.class_at(5, 4)));
 }
 
 /// A needle in line with the centre of pixel (5, 1), 3 px beyond its tip: all edge functions err by more than

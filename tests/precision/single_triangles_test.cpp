@@ -201,6 +201,27 @@ TEST(SingleTriangles, LoseTheSmallPiecesThatSidesLeave) {
     }
 }
 
+/// The image's diagonal, which rounding opens, is one of what the sides leave of a triangle that covers it.
+TEST(SingleTriangles, AreOpenAlongTheDiagonalsThatSidesLeave) {
+    constexpr RasterPrecision precision{.matrices = 3,
+                                        .snap = Snap::none,
+                                        .edge_functions = EdgeFunctions::window_coefficients,
+                                        .watertight = false,
+                                        .clipping = Clipping::view_volume,
+                                        .depth_roundings = 4};
+    Draw draw(29);
+    for (int i = 0; i < 400; ++i) {
+        const int side = int(draw.between(20, 60));
+        const View view = view_from(glm::vec3(1000, 700, -400), side, side, draw.between(-3, 3));
+        const double far = side * draw.between(2, 3);
+        const auto depth = [&] { return draw.power(1, 100); };
+        EXPECT_EQ(
+            defects_of({{{-far, -far, depth()}, {far, -far, depth()}, {0, far, depth()}}}, view, precision),
+            0u)
+            << i;
+    }
+}
+
 /// Far leaves nothing of it, but for rounding: a piece beside a corner, whose edges are as short as any.
 TEST(SingleTriangles, HaveCornersBehindTheFarPlane) {
     constexpr RasterPrecision precision{.matrices = 3,

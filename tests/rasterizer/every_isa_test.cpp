@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "drawing.h"
+#include "math/processor.h"
 #include "rasterizer/pipeline.h"
 #include "rasterizer/view_setup.h"
 #include "scenes/suite.h"
@@ -164,7 +165,7 @@ void expect_plain_bits(const Scene& scene, const View& view, const Rules& rules 
     Pipeline in_scene_order(rules, plain::kernel, {.order = DrawOrder::as_stored});
     const Frame& expected = in_scene_order.render(scene, view);
     const Plane<std::uint32_t> fragments = Pipeline(rules, plain::kernel).count_fragments(scene, view);
-    for (const Kernel& kernel : available_kernels()) {
+    for (const Kernel& kernel : available_of(kernels)) {
         SCOPED_TRACE(kernel.name);
         Pipeline pipeline(rules, kernel);
         for (const int threads : {1, 2, 3}) {

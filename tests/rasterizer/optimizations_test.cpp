@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "drawing.h"
+#include "math/processor.h"
 #include "rasterizer/pipeline.h"
 #include "rasterizer/rasterizer.h"
 #include "rasterizer/shader.h"
@@ -32,13 +33,14 @@ void on_suite(Check check) {
 }
 
 Frame drawn(const Scene& scene, const View& view, const Optimizations& optimizations) {
-    Pipeline pipeline(correct_rules, widest_kernel(), optimizations);
+    Pipeline pipeline(correct_rules, widest_of(kernels), optimizations);
     pipeline.render(scene, view, chunks_of(scene));
     return pipeline.take_frame();
 }
 
 Work counted(const Scene& scene, const View& view, const Optimizations& optimizations) {
-    return Pipeline(correct_rules, widest_kernel(), optimizations).count_work(scene, view, chunks_of(scene));
+    return Pipeline(correct_rules, widest_of(kernels), optimizations)
+        .count_work(scene, view, chunks_of(scene));
 }
 
 TEST(Optimizations, HierarchicalZAndFrustumCullingKeepEveryBit) {
@@ -181,7 +183,7 @@ TEST(Optimizations, CountsAreTheSameForAnyNumberOfThreadsAndEveryInstructionSet)
     const Loaded loaded = generate_suite_scene("deep_overdraw", 200, 150);
     const Work expected = counted(loaded.scene, loaded.views.front(), {});
     EXPECT_GT(expected.tally.hidden_blocks, 0u);
-    for (const Kernel& kernel : available_kernels())
+    for (const Kernel& kernel : available_of(kernels))
         for (const int threads : {1, 2, 4}) {
             tbb::task_arena arena(threads);
             arena.execute([&] {
@@ -197,7 +199,7 @@ TEST(Optimizations, EarlyAndLateShadingGiveThePictureOfTheDeferredOne) {
         const Light light;
         const Picture deferred = shade(scene, view, render(scene, view), light);
         const Work work = counted(scene, view, plain);
-        Pipeline pipeline(correct_rules, widest_kernel(), plain);
+        Pipeline pipeline(correct_rules, widest_of(kernels), plain);
         for (const ShadingTime time : {ShadingTime::before_the_test, ShadingTime::after_the_test}) {
             const ShadedFrame frame = pipeline.render_shaded(scene, view, light, time);
             EXPECT_TRUE(std::ranges::equal(deferred.pixels(), frame.picture.pixels()));

@@ -7,7 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "filters/sums/dispatch.h"
+#include "filters/sums/kernel.h"
+#include "math/processor.h"
 
 namespace zproof::texture {
 namespace {
@@ -76,7 +77,7 @@ void sum(const sums::Kernel& kernel, const sums::Rows<std::uint16_t>& rows, cons
 TYPED_TEST(CodeSumsOf, EveryKernelsAreThatOfTheDefinition) {
     constexpr std::uint32_t untouched = 0xABCDEF01;
     constexpr std::size_t most = 17;  // values before the table: more than any vector's
-    for (const sums::Kernel& kernel : sums::available_kernels())
+    for (const sums::Kernel& kernel : available_of(sums::kernels))
         for (const int channels : {1, 2, 3, 4, 5})
             for (const int width : {1, 5, 16, 48, 80, 81})
                 for (const int height : {1, 4, 7})

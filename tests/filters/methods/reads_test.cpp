@@ -9,9 +9,10 @@
 
 #include "filters/methods/catalogue.h"
 #include "filters/methods/tap_rule.h"
-#include "filters/reads/dispatch.h"
+#include "filters/reads/kernel.h"
 #include "filters/reads/tiles.h"
 #include "filters/stored/mip_chain.h"
+#include "math/processor.h"
 #include "tests/support/footprints.h"
 
 namespace zproof::texture {
@@ -203,7 +204,7 @@ TEST_P(EveryReadKernel, SumsTheLinesOfEachLookupTapByTap) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Isa, EveryReadKernel, testing::ValuesIn(reads::available_kernels()),
+INSTANTIATE_TEST_SUITE_P(Isa, EveryReadKernel, testing::ValuesIn(available_of(reads::kernels)),
                          [](const auto& test) {
                              std::string name = test.param.name;
                              std::ranges::replace(name, '-', '_');
