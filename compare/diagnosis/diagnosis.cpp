@@ -313,7 +313,7 @@ class Diagnoser {
         return std::ranges::any_of(ranked.subspan(1, alike(ranked) - 1), [&](const HypothesisTest& t) {
             const Hypothesis& other = *t.hypothesis;
             if (other.only_permits || other.supposes_no_rule || other.cell != best.cell) return false;
-            if (best.fits_a_limit) return other.fits_a_limit;
+            if (best.fits_a_limit) return other.fits_a_limit && other.learned_bits <= best.learned_bits;
             return best.learned_bits == 0 && other.learned_bits == 0 && other.kind != best.kind;
         });
     }

@@ -217,9 +217,9 @@ const std::vector<CasterDefect>& caster_defects() {
         {.name = "depth biased",
          .true_names = {"depth is biased by a constant"},
          .after = each_depth([](double z, int, int, const View&) { return z - 1e-3; })},
-        {.name = "depth of the centroid", .true_names = {}, .after = depth_of_corners([](const auto& d) {
-                                                                return (d[0] + d[1] + d[2]) / 3;
-                                                            })},
+        {.name = "depth of the centroid",
+         .true_names = {"a triangle has one depth"},
+         .after = depth_of_corners([](const auto& d) { return (d[0] + d[1] + d[2]) / 3; })},
         {.name = "depth of the nearest corner",
          .true_names = {},
          .after = depth_of_corners([](const auto& d) { return std::ranges::min(d); })},

@@ -113,6 +113,20 @@ View view_near_the_yard() {
     return view;
 }
 
+std::function<Shown()> with_rows_from_below(const std::function<Shown()>& upright) {
+    return [=] {
+        Shown shown = upright();
+        const Frame frame = shown.frame;
+        for (int y = 0; y < shown.view.height; ++y)
+            for (int x = 0; x < shown.view.width; ++x) {
+                const int from = shown.view.height - 1 - y;
+                shown.frame.primitive.at(x, y) = frame.primitive.at(x, from);
+                shown.frame.camera_depth.at(x, y) = frame.camera_depth.at(x, from);
+            }
+        return shown;
+    };
+}
+
 /// Depth where the ray of another place meets the plane of the pixel's triangle.
 double on_plane_at(const Scene& scene, const Seen& s, double x, double y) {
     const Camera& c = s.view.camera;
@@ -325,6 +339,14 @@ std::vector<FieldFrame> frames_of_depth_pictures() {
         return FieldFrame{name, {cause}, source, telling(ground, of, told)};
     };
     return {
+        {"rows_of_window_z_from_below",
+         {"the image is flipped in y, and depth is NDC z (0 to 1)"},
+         "glReadPixels of the depth buffer",
+         with_rows_from_below(telling(ground, tight, z_of))},
+        {"rows_of_ray_lengths_from_below",
+         {"the image is flipped in y, and depth is the ray's length"},
+         "a ray caster's picture read by OpenGL",
+         with_rows_from_below(telling(ground, view, [](const Seen& s) { return s.depth * s.ray_length; }))},
         named("gamma_of_metres", "depth went through a curve of gamma 2.2",
               "a float picture encoded for display", view,
               [](const Seen& s) { return std::pow(s.depth, 1 / 2.2); }),
@@ -373,6 +395,53 @@ std::vector<FieldFrame> frames_of_depth_pictures() {
               [](const Seen& s) { return back_from_z(s, packed(z_of(s), 256, 256)); }),
         named("whole_centimetres", "depth is in whole steps of 0.01", "depth in centimetres", view,
               [](const Seen& s) { return std::round(s.depth * 100) / 100; }),
+        named("ndc_without_2z_minus_1", "z from 0 to 1 is turned back as if it were NDC z",
+              "LearnOpenGL's formula, given gl_FragCoord.z", tight,
+              [](const Seen& s) {
+                  const double near = s.view.camera.near_depth, far = s.view.camera.far_depth;
+                  return 2 * near * far / (far + near - z_of(s) * (far - near));
+              }),
+        named("ndc_as_z", "NDC z is turned back as if it were from 0 to 1", "the same, the other way round",
+              tight, [](const Seen& s) { return back_from_z(s, 2 * z_of(s) - 1); }),
+        named("reversed_z_read_forwards", "z is turned back from its other end",
+              "reversed z, and the old formula", tight,
+              [](const Seen& s) { return back_from_z(s, 1 - z_of(s)); }),
+        named("near_and_far_both_wrong", "depth is read with other planes",
+              "the example program's near and far", view,
+              [](const Seen& s) { return read_with(s.depth, 0.1, 60, 1, 1000); }),
+        named("least_and_greatest_to_0_and_1", "depth is scaled and biased",
+              "a picture normalized by its own range", view,
+              [](const Seen& s) {
+                  double least = HUGE_VAL, greatest = 0;
+                  for (const float depth : s.good.camera_depth.pixels())
+                      if (depth != background_depth)
+                          least = std::min(least, double(depth)),
+                          greatest = std::max(greatest, double(depth));
+                  return (s.depth - least) / (greatest - least);
+              }),
+        named("near_is_white", "depth is scaled and biased", "an inverted grey value", tight,
+              [=](const Seen& s) { return 1 - share(s); }),
+        named("grey_of_256_levels", "depth is scaled and biased", "the same in 8 bits", tight,
+              [=](const Seen& s) { return std::round(255 * (1 - share(s))); }),
+        named("gamma_of_depth_by_far", "depth by far went through a curve of gamma 2.2",
+              "z / far, for display", view, [](const Seen& s) { return std::pow(s.depth / 60, 1 / 2.2); }),
+        named("logarithm_of_1_more", "depth is a logarithm, counted from 1",
+              "three.js: log2(1 + w) / log2(1 + far) in gl_FragDepth", view,
+              [](const Seen& s) { return std::log2(1 + s.depth) / std::log2(61.0); }),
+        named("range_of_a_sensor", "depths beyond a limit are told as the limit", "a depth camera's range",
+              view, [](const Seen& s) { return std::min(s.depth, 5.0); }),
+        named("out_of_range", "depths beyond a limit are told as 0", "a depth camera that sees nothing there",
+              view, [](const Seen& s) { return s.depth > 5 ? 0 : s.depth; }),
+        named("millimetres_of_16_bits", "depth is in other units",
+              "depth in a PNG of 16 bits, not scaled back", view,
+              [](const Seen& s) { return std::round(s.depth * 1000); }),
+        named("disparity_of_16_levels", "depth is a disparity", "OpenCV's StereoSGBM: 16 levels a pixel",
+              view, [](const Seen& s) { return std::round(16 * 573 / s.depth) / 16; }),
+        named("bfloat16", "depth is a float of 8 bits", "autocast of a neural renderer", view,
+              [](const Seen& s) {
+                  const int exponent = std::ilogb(s.depth);
+                  return std::ldexp(std::round(std::ldexp(s.depth, 7 - exponent)), exponent - 7);
+              }),
     };
 }
 

@@ -16,6 +16,8 @@ std::vector<Hypothesis> hypotheses_of_place(const DiagnosisInput& input);
 std::vector<Hypothesis> hypotheses_of_grid(const DiagnosisInput& input);
 /// Depth is told in other units.
 std::vector<Hypothesis> hypotheses_of_depth(const DiagnosisInput& input);
+/// The image is flipped, too: two mistakes of one read-back.
+std::vector<Hypothesis> hypotheses_of_flipped_depth(const DiagnosisInput& input);
 /// Depth is that of another place, averaged, or of another scale that is fitted.
 std::vector<Hypothesis> hypotheses_of_depth_elsewhere(const DiagnosisInput& input);
 /// Depth is made of several samples of a pixel.

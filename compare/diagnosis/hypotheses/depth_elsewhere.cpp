@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "compare/bounds/triangle_depth.h"
 #include "compare/diagnosis/hypotheses/catalogue.h"
 #include "compare/diagnosis/hypotheses/plane_depth.h"
+#include "compare/diagnosis/hypotheses/told_steps.h"
 #include "frame/number_text.h"
 #include "math/rounding.h"
 
@@ -134,21 +137,37 @@ double most_held(const std::vector<NumberRange>& ranges) {
 
 constexpr std::size_t most_fitted = 1'000;
 
-/// The number that explains the most of the depths whose ids are not in question.
-std::optional<double> fitted_number(const DiagnosisInput& input, const OneNumber& form) {
+/// A pixel's depth, and what is told there.
+struct ToldDepth {
+    DepthBound bound;
+    double told;
+};
+
+/// Those of pixels whose ids are not in question.
+std::vector<ToldDepth> told_depths(const DiagnosisInput& input) {
     const OwnDepths own(input);
     const Frame &ours = input.candidate.frame, &theirs = input.reference.frame;
     const std::size_t count = ours.primitive.pixels().size(), width = std::size_t(ours.size().width);
-    std::vector<NumberRange> ranges;
+    std::vector<ToldDepth> all;
     for (std::size_t i = 0; i < count; i += count / most_fitted + 1) {
         const int x = int(i % width), y = int(i / width);
         if (ours.primitive.at(x, y) != theirs.primitive.at(x, y)) continue;
         const std::optional<DepthBound> bound = own.at(x, y);
         const double told = double(ours.camera_depth.at(x, y));
-        if (!bound || !std::isfinite(told) || !std::isfinite(bound->low + bound->high)) continue;
-        const double room = form.rounding(form.number(told, bound->truth), bound->truth);
+        if (bound && std::isfinite(told) && std::isfinite(bound->low + bound->high))
+            all.push_back({*bound, told});
+    }
+    return all;
+}
+
+/// The number that explains the most of the told depths.
+std::optional<double> fitted_number(const DiagnosisInput& input, const OneNumber& form) {
+    std::vector<NumberRange> ranges;
+    const double step = told_step(input);
+    for (const auto& [bound, told] : told_depths(input)) {
+        const double room = form.rounding(form.number(told, bound.truth), bound.truth) + step;
         NumberRange range{no_limit, -no_limit};
-        for (const double depth : {bound->low, bound->high})
+        for (const double depth : {bound.low, bound.high})
             for (const double one : {told - room, told + room}) {
                 range.low = std::min(range.low, form.number(one, depth));
                 range.high = std::max(range.high, form.number(one, depth));
@@ -173,6 +192,7 @@ std::vector<Hypothesis> fitted(const DiagnosisInput& input, Cause cause, const O
         const double room = std::max(form.rounding(number, bound.low), form.rounding(number, bound.high));
         return ReportedDepth{std::min(one, other) - room, std::max(one, other) + room};
     };
+    allow_steps(h, told_step(input));
     return {h};
 }
 
@@ -239,6 +259,102 @@ std::vector<Hypothesis> read_with_other_planes(const DiagnosisInput& input) {
     return all;
 }
 
+/// Two of the pixels whose ids are not in question: one of those that tell least and one of those that tell
+/// most, the most certain ones. Nothing where they tell the same.
+std::optional<std::array<ToldDepth, 2>> far_apart(const DiagnosisInput& input) {
+    std::vector<ToldDepth> all = told_depths(input);
+    const std::size_t some = all.size() / 20;
+    if (some == 0) return std::nullopt;
+    std::ranges::sort(all, {}, &ToldDepth::told);
+    const auto most_certain = [](std::span<const ToldDepth> of) {
+        return *std::ranges::min_element(of, {}, [](const ToldDepth& t) {
+            return (t.bound.high - t.bound.low) / std::abs(t.bound.truth);
+        });
+    };
+    const ToldDepth least = most_certain(std::span(all).first(some)),
+                    most = most_certain(std::span(all).last(some));
+    if (least.told == most.told || least.bound.truth == most.bound.truth) return std::nullopt;
+    return std::array{least, most};
+}
+
+/// What is told, or its reciprocal, is affine in depth, or in its reciprocal.
+struct TwoNumbers {
+    bool inverts_told, inverts_depth;
+    std::array<ToldDepth, 2> known;
+    double z_range;  ///< z is rounded as a number of size 1: what that is in inverse depth
+
+    static double in(bool inverts, double number) { return inverts ? 1 / number : number; }
+    double form(double told) const { return in(inverts_told, told); }
+    double place(double depth) const { return in(inverts_depth, depth); }
+    double slope() const {
+        return (form(known[1].told) - form(known[0].told)) /
+               (place(known[1].bound.truth) - place(known[0].bound.truth));
+    }
+    double told(double depth) const {
+        return form(form(known[0].told) + slope() * (place(depth) - place(known[0].bound.truth)));
+    }
+    /// How far the form of what is told may be off, as the known depths may be and by roundings.
+    double room(double depth) const {
+        const double from = place(known[0].bound.truth), to = place(known[1].bound.truth),
+                     share = (place(depth) - from) / (to - from);
+        const auto width = [&](const ToldDepth& t) {
+            return std::abs(place(t.bound.high) - place(t.bound.low));
+        };
+        const double of_places = width(known[0]) * std::abs(1 - share) + width(known[1]) * std::abs(share) +
+                                 (inverts_depth ? told_rounding * z_range : 0);
+        return std::abs(slope()) * of_places +
+               told_rounding * (std::abs(form(known[0].told)) + std::abs(form(known[1].told)) +
+                                std::abs(form(told(depth))));
+    }
+    ReportedDepth operator()(const DepthBound& bound, const Claim&) const {
+        ReportedDepth range{no_limit, -no_limit};
+        for (const double depth : {bound.low, bound.high}) {
+            const double middle = form(told(depth)), off = room(depth);
+            if (inverts_told && middle <= off) return {-no_limit, no_limit};
+            for (const double one : {form(middle - off), form(middle + off)})
+                range = {std::min(range.low, one), std::max(range.high, one)};
+        }
+        return range;
+    }
+};
+
+/// Depths that are normalized, pictures that are inverted, z of planes that are both wrong.
+std::vector<Hypothesis> of_two_numbers(const DiagnosisInput& input) {
+    const auto known = far_apart(input);
+    if (!known) return {};
+    const Camera& c = input.view.camera;
+    const double z_range = c.near_depth > 0 ? 1 / c.near_depth : 0;
+    const auto text = [](double number) { return with_digits(number, 6); };
+    const auto with = [&](const Cause& cause, const TwoNumbers& numbers) {
+        Hypothesis h = as_declared(input, cause);
+        h.learned_bits = 2 * bits_of_a_number;
+        h.fits_a_limit = h.tells_numbers = true;
+        h.report = numbers;
+        allow_steps(h, told_step(input));
+        return h;
+    };
+    const TwoNumbers linear{false, false, *known, 0}, buffer{false, true, *known, z_range},
+        planes{true, true, *known, z_range};
+    std::vector<Hypothesis> all{
+        with({"depth is scaled and biased",
+              "Depth is told times " + text(linear.slope()) + ", and " + text(linear.told(0)) + " is added.",
+              "Look at the depth's export: it is normalized, or inverted for a picture."},
+             linear)};
+    if (c.projection == Projection::parallel) return all;
+    all.push_back(with({"depth is z of another buffer",
+                        "What is told is 1/depth times " + text(buffer.slope()) + ", and " +
+                            text(buffer.told(no_limit)) + " is added.",
+                        "Look at the read-back of the depth buffer, and at its normalization."},
+                       buffer));
+    all.push_back(
+        with({"depth is read with other planes",
+              "z of the depth buffer is turned back with a near plane of " + text(planes.told(c.near_depth)) +
+                  " and a far plane of " + text(planes.told(c.far_depth)) + ".",
+              "Look at near and far where z is turned back: they must be those of the projection matrix."},
+             planes));
+    return all;
+}
+
 /// The planes between which the candidate shows anything.
 std::vector<Hypothesis> clipped_elsewhere(const DiagnosisInput& input) {
     const bool is_perspective = input.view.camera.projection == Projection::perspective;
@@ -277,8 +393,8 @@ std::vector<Hypothesis> hypotheses_of_depth_elsewhere(const DiagnosisInput& inpu
     for (const int dy : {0, -1, 1})
         for (const int dx : {0, -1, 1})
             if (dx != 0 || dy != 0) all.push_back(beside_centre(input, 0.5 * glm::dvec2(dx, dy)));
-    for (const auto& more :
-         {scaled_or_biased(input), disparity(input), read_with_other_planes(input), clipped_elsewhere(input)})
+    for (const auto& more : {scaled_or_biased(input), disparity(input), read_with_other_planes(input),
+                             of_two_numbers(input), clipped_elsewhere(input)})
         all.insert(all.end(), more.begin(), more.end());
     return all;
 }

@@ -4,6 +4,8 @@
 
 #include "compare/diagnosis/hypotheses/affine_depth.h"
 #include "compare/diagnosis/hypotheses/catalogue.h"
+#include "compare/diagnosis/hypotheses/told_steps.h"
+#include "frame/number_text.h"
 #include "math/rounding.h"
 #include "math/srgb.h"
 #include "scenes/camera_depth.h"
@@ -57,7 +59,7 @@ class TurnedBack {
 
 /// Depths are stored as `report` says.
 template <class Report>
-Hypothesis reported_as(const DiagnosisInput& input, const Cause& cause, Report report) {
+Hypothesis exactly_reported_as(const DiagnosisInput& input, const Cause& cause, Report report) {
     Hypothesis h = as_declared(input, cause);
     h.report = [report, turned_back = TurnedBack(input)](const DepthBound& bound, const Claim& claim) {
         return turned_back(report(bound, claim), claim);
@@ -66,6 +68,14 @@ Hypothesis reported_as(const DiagnosisInput& input, const Cause& cause, Report r
         if (claim.answer.primitive == PrimitiveId::none) claim.answer.camera_depth = background_depth;
         return claim;
     };
+    return h;
+}
+
+/// Or were rounded or cut after that.
+template <class Report>
+Hypothesis reported_as(const DiagnosisInput& input, const Cause& cause, Report report) {
+    Hypothesis h = exactly_reported_as(input, cause, report);
+    allow_steps(h, told_step(input));
     return h;
 }
 
@@ -115,6 +125,37 @@ Hypothesis perspective_as_parallel(const DiagnosisInput& input) {
                         "z of the depth buffer is linear in 1/depth, and turned back as if in depth.",
                         other_projections_formula},
                        Reciprocal{c.near_depth + per_inverse / c.near_depth, -per_inverse});
+}
+
+/// scale / (a + b / depth): z turned back by another formula than it was made by. It is rounded as a number
+/// of size 1, which is `z_range` in inverse depth.
+struct MisreadZ {
+    double a, b, z_range, scale = 1;
+
+    ReportedDepth operator()(const DepthBound& bound, const Claim&) const {
+        const auto [low, high] = std::minmax({a + b / bound.low, a + b / bound.high});
+        const double room = conversion * (std::abs(a) + std::abs(b / bound.low) + z_range);
+        return {scale / (high + room),
+                low > room ? scale / (low - room) : std::numeric_limits<double>::infinity()};
+    }
+};
+
+/// z of a perspective, read by the formula for z of another range.
+std::vector<Hypothesis> misread_z(const DiagnosisInput& input) {
+    const Camera& c = input.view.camera;
+    const double near = 1 / c.near_depth, far = 1 / c.far_depth, range = near - far;
+    const char* formula = "Look at how z is turned back: NDC z is 2 z - 1 of z in the depth buffer.";
+    const auto read = [&](const std::string& name, const std::string& description, const MisreadZ& z) {
+        return reported_as(input, {name, description, formula}, z);
+    };
+    return {read("z from 0 to 1 is turned back as if it were NDC z", "2 z - 1 is left out.",
+                 MisreadZ{far / 2, 0.5, range}),
+            read("z from 0 to 1 is turned back as if it were NDC z", "2 z - 1 is left out, and far divides.",
+                 MisreadZ{far / 2, 0.5, range, far}),
+            read("NDC z is turned back as if it were from 0 to 1", "(z + 1) / 2 is left out.",
+                 MisreadZ{-far, 2, range}),
+            read("z is turned back from its other end", "Near and far are exchanged, or z is 1 - z.",
+                 MisreadZ{near + far, -1, range})};
 }
 
 /// Length of the view ray per unit of depth, at the pixel's centre.
@@ -198,6 +239,29 @@ struct Curve {
     }
 };
 
+/// Depths end at the largest that the frame tells, as a sensor's do.
+std::vector<Hypothesis> cut_off(const DiagnosisInput& input) {
+    double largest = 0;
+    for (const float depth : input.candidate.frame.camera_depth.pixels())
+        if (std::isfinite(depth)) largest = std::max(largest, double(depth));
+    const auto beyond = [&](const std::string& as, double told) {
+        Hypothesis h = exactly_reported_as(
+            input,
+            {"depths beyond a limit are told as " + as,
+             "Depths above " + with_digits(largest, 6) + " are told as " + as + ".",
+             "Look at the range of the sensor, or of the format that depths are kept in."},
+            [=](const DepthBound& bound, const Claim&) {
+                return bound.low > largest
+                           ? ReportedDepth{told, told}
+                           : ReportedDepth{std::min(bound.low, largest), std::min(bound.high, largest)};
+            });
+        h.learned_bits = bits_of_a_number;
+        h.tells_numbers = true;
+        return h;
+    };
+    return {beyond("the limit", largest), beyond("0", 0)};
+}
+
 /// What pictures do to their values.
 std::vector<Hypothesis> as_pictures(const DiagnosisInput& input) {
     const double near = input.view.camera.near_depth, far = input.view.camera.far_depth;
@@ -215,21 +279,26 @@ std::vector<Hypothesis> as_pictures(const DiagnosisInput& input) {
               [](double depth) { return std::pow(std::max(0.0, depth), 2.2); }),
         curve("depth is clamped at 1", "Depths above 1 are told as 1.",
               [](double depth) { return std::min(1.0, depth); })};
+    for (Hypothesis& h : cut_off(input)) all.push_back(std::move(h));
     if (near <= 0) return all;
     all.push_back(curve("depth is a logarithm", "The natural logarithm of depth is told.",
                         [](double depth) { return std::log(depth); }));
     if (!std::isfinite(far)) return all;
-    const auto share = [=](double depth) { return std::clamp((depth - near) / (far - near), 0.0, 1.0); };
-    const std::string between = " of the share of the way from near to far";
-    all.push_back(curve("depth from near to far went through a curve of gamma 2.2",
-                        "The 1/2.2th power" + between + " is told.",
-                        [=](double depth) { return std::pow(share(depth), 1 / 2.2); }));
-    all.push_back(curve("depth from near to far went through a curve of gamma 1/2.2",
-                        "The 2.2th power" + between + " is told.",
-                        [=](double depth) { return std::pow(share(depth), 2.2); }));
-    all.push_back(curve("depth from near to far went through the curve of sRGB",
-                        "The sRGB code" + between + " is told.",
-                        [=](double depth) { return encoded_srgb(share(depth)); }));
+    const auto add_curves = [&](const std::string& what, const std::string& of_what, double from) {
+        const auto share = [=](double depth) { return std::clamp((depth - from) / (far - from), 0.0, 1.0); };
+        all.push_back(curve(what + " went through a curve of gamma 2.2", "The 1/2.2th power " + of_what,
+                            [=](double depth) { return std::pow(share(depth), 1 / 2.2); }));
+        all.push_back(curve(what + " went through a curve of gamma 1/2.2", "The 2.2th power " + of_what,
+                            [=](double depth) { return std::pow(share(depth), 2.2); }));
+        all.push_back(curve(what + " went through the curve of sRGB", "The sRGB code " + of_what,
+                            [=](double depth) { return encoded_srgb(share(depth)); }));
+    };
+    add_curves("depth from near to far", "of the share of the way from near to far is told.", near);
+    add_curves("depth by far", "of depth / far is told.", 0);
+    all.push_back(curve("depth is a logarithm, counted from 1", "log(1 + depth) is told.",
+                        [](double depth) { return std::log1p(depth); }));
+    all.push_back(curve("depth is a logarithm, counted from 1", "log(1 + depth) / log(1 + far) is told.",
+                        [=](double depth) { return std::log1p(depth) / std::log1p(far); }));
     all.push_back(curve("depth from near to far is a logarithm",
                         "log(depth / near) / log(far / near) is told.",
                         [=](double depth) { return std::log(depth / near) / std::log(far / near); }));
@@ -257,10 +326,47 @@ Hypothesis apart_from_ids(const DiagnosisInput& input, int dx, int dy, const std
     return h;
 }
 
+/// One of the two planes has its rows from the wrong end.
+Hypothesis flipped_apart(const DiagnosisInput& input, bool are_depths_flipped) {
+    Hypothesis h = as_declared(
+        input,
+        {are_depths_flipped ? "depths are flipped in y, ids are not" : "ids are flipped in y, depths are not",
+         "One plane's row y holds what belongs to row H - 1 - y.",
+         "Look at the read-back of both planes: glReadPixels begins at the lowest row."});
+    h.restate = [are_depths_flipped,
+                 &frame = input.candidate.frame](const Claim& claim) -> std::optional<Claim> {
+        const int y = frame.size().height - 1 - claim.y;
+        const Answer there{frame.primitive.at(claim.x, y), frame.camera_depth.at(claim.x, y)};
+        return are_depths_flipped ? Claim{claim.x, y, {there.primitive, claim.answer.camera_depth}}
+                                  : Claim{claim.x, y, {claim.answer.primitive, there.camera_depth}};
+    };
+    return h;
+}
+
 std::vector<Hypothesis> depths_beside_ids(const DiagnosisInput& input) {
     if (input.said && input.said->labels.are_absent) return {};  // of depth alone: the image's own shift
-    return {apart_from_ids(input, 1, 0, "right"), apart_from_ids(input, -1, 0, "left"),
-            apart_from_ids(input, 0, 1, "below"), apart_from_ids(input, 0, -1, "above")};
+    std::vector<Hypothesis> all{apart_from_ids(input, 1, 0, "right"), apart_from_ids(input, -1, 0, "left"),
+                                apart_from_ids(input, 0, 1, "below"), apart_from_ids(input, 0, -1, "above")};
+    if (!input.said) all.insert(all.end(), {flipped_apart(input, true), flipped_apart(input, false)});
+    return all;
+}
+
+/// The mean of the corners' depths, all over a triangle.
+Hypothesis flat(const DiagnosisInput& input) {
+    return reported_as(
+        input,
+        {"a triangle has one depth: the mean of its corners'", "Depth is not interpolated over the triangle.",
+         "Look at where depth is interpolated: it is the centroid's, as for sorting."},
+        [&scene = input.scene, c = input.view.camera](const DepthBound&, const Claim& claim) {
+            if (std::size_t(claim.answer.primitive) >= scene.triangles.size()) return ReportedDepth{1, 0};
+            double depth = 0, size = 0;
+            for (const glm::vec3& p : corners_of(scene, std::uint32_t(claim.answer.primitive))) {
+                const glm::dvec3 from_eye = glm::dvec3(p) - glm::dvec3(c.eye_world);
+                depth -= dot(c.back, from_eye) / 3;
+                size += dot(abs(c.back), abs(glm::dvec3(p)) + abs(glm::dvec3(c.eye_world))) / 3;
+            }
+            return ReportedDepth{depth - 2 * conversion * size, depth + 2 * conversion * size};
+        });
 }
 
 /// Depth test and reported depth both go by depth that is interpolated linearly over the raster image.
@@ -334,8 +440,12 @@ std::vector<Hypothesis> hypotheses_of_depth(const DiagnosisInput& input) {
              "Look at the depth's export: a normalization between near and far was left in."},
             Linear{-c.near_depth * per_depth, per_depth}));
     }
-    if (std::isfinite(c.far_depth)) all.push_back(perspective_as_parallel(input));
+    if (std::isfinite(c.far_depth)) {
+        all.push_back(perspective_as_parallel(input));
+        for (Hypothesis& h : misread_z(input)) all.push_back(std::move(h));
+    }
     all.push_back(affine(input));
+    all.push_back(flat(input));
     return all;
 }
 

@@ -114,6 +114,44 @@ std::vector<Hypothesis> hypotheses_of_place(const DiagnosisInput& input) {
                    [](int x, int y) {
                        return Place{y, x};
                    })};
+    for (const int aside : {-1, 1})
+        all.push_back(rearranged(input,
+                                 {"the image is flipped in y, a row aside",
+                                  aside > 0 ? "Row y holds what belongs to row H - y."
+                                            : "Row y holds what belongs to row H - 2 - y.",
+                                  "Look at how rows are written: the last one is H - 1."},
+                                 [=](int x, int y) {
+                                     return Place{x, lowest + aside - y};
+                                 }));
+    if (right == lowest) {
+        const char* turned =
+            "Look at the picture's orientation, and at the order of a transposition and a flip.";
+        all.push_back(rearranged(input,
+                                 {"the image is turned by a quarter turn, clockwise",
+                                  "Pixel (x, y) holds what belongs to (y, W - 1 - x).", turned},
+                                 [=](int x, int y) {
+                                     return Place{y, right - x};
+                                 }));
+        all.push_back(rearranged(input,
+                                 {"the image is turned by a quarter turn, counterclockwise",
+                                  "Pixel (x, y) holds what belongs to (W - 1 - y, x).", turned},
+                                 [=](int x, int y) {
+                                     return Place{right - y, x};
+                                 }));
+    }
+    const int wide = right + 1, high = lowest + 1;
+    all.push_back(rearranged(input,
+                             {"columns are stored, and read as rows",
+                              "Pixels follow each other from column to column in the file.", exchanged},
+                             [=](int x, int y) {
+                                 return Place{(y * wide + x) / high, (y * wide + x) % high};
+                             }));
+    all.push_back(rearranged(input,
+                             {"rows are stored, and read as columns",
+                              "Pixels follow each other from row to row in the file.", exchanged},
+                             [=](int x, int y) {
+                                 return Place{(x * high + y) % wide, (x * high + y) / wide};
+                             }));
     all.push_back(rearranged(input,
                              {"the image is transposed and stretched",
                               "Pixel (x, y) holds what belongs to (y W / H, x H / W).", exchanged},

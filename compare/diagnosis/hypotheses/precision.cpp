@@ -222,6 +222,8 @@ std::vector<double> likely_steps(const DiagnosisInput& input) {
                               1.0 / 256,
                               input.convention.depth_scale,
                               input.convention.depth_scale / 4};
+    if (const double far = input.view.camera.far_depth; std::isfinite(far))
+        steps.insert(steps.end(), {far / 255, far / 65535});
     std::ranges::sort(steps, std::greater());
     return steps;
 }
@@ -312,8 +314,9 @@ Hypothesis stored_as_float(const DiagnosisInput& input, int bits) {
 }  // namespace
 
 std::vector<Hypothesis> hypotheses_of_precision(const DiagnosisInput& input) {
-    std::vector<Hypothesis> all{stored_in(input, 32), stored_in(input, 24),       stored_in(input, 16),
-                                stored_in(input, 8),  stored_as_float(input, 16), stored_as_float(input, 11)};
+    std::vector<Hypothesis> all{
+        stored_in(input, 32),       stored_in(input, 24),       stored_in(input, 16),     stored_in(input, 8),
+        stored_as_float(input, 16), stored_as_float(input, 11), stored_as_float(input, 8)};
     if (std::isfinite(input.view.camera.far_depth))
         for (const int bits : {16, 8}) all.push_back(stored_linearly(input, bits));
     for (Hypothesis& h : stored_in_steps(input)) all.push_back(std::move(h));

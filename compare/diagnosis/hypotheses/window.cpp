@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <glm/gtc/quaternion.hpp>
+
 #include "compare/diagnosis/hypotheses/catalogue.h"
 #include "compare/diagnosis/hypotheses/other_world.h"
 
@@ -44,7 +46,31 @@ std::vector<Hypothesis> of_windows(const DiagnosisInput& input) {
         window({"the window is half as high", "The height is taken for half of itself.", scale}, wide,
                high / 2),
         window({"the window is twice as high", "The height is taken for its half.", scale}, wide, 2 * high)};
+    for (const bool is_lower : {true, false}) {
+        View quarter = input.view;
+        quarter.camera.window.right = (w.left + w.right) / 2;
+        (is_lower ? quarter.camera.window.top : quarter.camera.window.bottom) = (w.bottom + w.top) / 2;
+        all.push_back(
+            seen_in(input,
+                    {is_lower ? "the image is the lower left quarter" : "the image is the upper left quarter",
+                     "It is that of an image twice as wide and high.",
+                     "Look at the framebuffer's size on dense displays, and at intrinsics of another size."},
+                    quarter));
+    }
+    if (input.view.camera.projection == Projection::perspective) {
+        const double times = std::tan(glm::degrees(std::atan(high))) / high;  // below 0 it turns the image
+        View other = with_half_sides(input.view, std::abs(wide * times), std::abs(high * times));
+        if (times < 0) other.camera.right = -other.camera.right, other.camera.up = -other.camera.up;
+        all.push_back(seen_in(input,
+                              {"the field of view is in degrees, read as radians",
+                               "Tan of half the angle is that of its number of degrees.",
+                               "Look at the angle's unit: tan takes radians."},
+                              other));
+    }
     const double width = input.view.width, height = input.view.height;
+    if (wide * 3 != high * 4)
+        all.push_back(window({"the aspect is 4 : 3", "The window is 4/3 times as wide as high.", square},
+                             high * 4 / 3, high));
     if (wide * height != high * width) {
         all.push_back(window({"pixels are taken for square: the width follows the height",
                               "The window is as wide as square pixels of its height are.", ratio},
@@ -89,10 +115,19 @@ std::vector<Hypothesis> of_offsets(const DiagnosisInput& input) {
         sheared.camera.shear = shear;
         return sheared;
     };
+    const glm::dvec2 per_px((w.right - w.left) / view.width, (w.top - w.bottom) / view.height);
+    const glm::dvec2 centre_px(view.width / 2.0, view.height / 2.0),
+        principal_px = centre_px + glm::dvec2(-offset.x, offset.y) / per_px;
+    const glm::dvec2 aside_px = glm::dvec2(principal_px.y, principal_px.x) - centre_px;
     const char* sides =
         "Look at the projection's arguments: left, right, bottom and top need not lie about the axis.";
     const char* oblique = "Look at the projection of an oblique view: depth moves points aside.";
     std::vector<Hypothesis> all;
+    if (principal_px.x != principal_px.y)
+        all.push_back(seen_in(input,
+                              {"the principal point's x and y are exchanged", "cx is taken for cy.",
+                               "Look at the order of the intrinsics: rows are y."},
+                              with_offset(glm::dvec2(-aside_px.x, aside_px.y) * per_px)));
     if (length(offset) > 0) {
         all.push_back(seen_in(
             input, {"the window's offset is ignored", "The window stands about the view axis.", sides},
@@ -167,16 +202,30 @@ std::vector<Hypothesis> of_scenes(const DiagnosisInput& input) {
                    [](const Point& p) { return Point(p.x, -p.y, p.z); })};
 }
 
+glm::dvec3 mirrored(glm::dvec3 v, int axis) {
+    v[axis] = -v[axis];
+    return v;
+}
+
 std::vector<Hypothesis> of_cameras(const DiagnosisInput& input) {
-    const auto camera = [&](const Cause& cause, const glm::dmat3& axes) {
-        View view = input.view;
-        view.camera.right = axes[0];
-        view.camera.up = axes[1];
-        view.camera.back = axes[2];
-        return seen_in(input, cause, view);
-    };
     const Camera& c = input.view.camera;
     const char* forward = "Look at the camera's forward axis: it looks along -z.";
+    const char* pose = "Look at the pose: camera-to-world is the inverse of world-to-camera.";
+    const char* roll = "Look at the camera's axes, and at the picture's orientation.";
+    const char* angles = "Look at the angles' signs and order.";
+    const glm::dmat3 axes(c.right, c.up, c.back), turned_back = transpose(axes);
+    const glm::dvec3 eye(c.eye_world), minus_translation = turned_back * eye;
+    const auto pose_of = [&](const Cause& cause, const glm::dmat3& other_axes, const glm::dvec3& other_eye) {
+        View view = input.view;
+        Camera& other = view.camera;
+        other.eye_world = glm::vec3(other_eye);
+        other.right = other_axes[0], other.up = other_axes[1], other.back = other_axes[2];
+        return seen_in(input, cause, view);
+    };
+    const auto camera = [&](const Cause& cause, const glm::dmat3& other_axes) {
+        return pose_of(cause, other_axes, eye);
+    };
+    const glm::dquat q = glm::quat_cast(axes);
     return {
         camera({"the camera's rotation is transposed", "Its matrix is taken for its inverse.",
                 "Look at the view matrix: rows against columns, or the camera's pose taken for its inverse."},
@@ -189,7 +238,27 @@ std::vector<Hypothesis> of_cameras(const DiagnosisInput& input) {
             {"the camera looks backwards", "Its x and z are negated: it is turned by half a turn.", forward},
             glm::dmat3(-c.right, c.up, -c.back)),
         camera({"the camera looks backwards, mirrored", "Its z is negated.", forward},
-               glm::dmat3(c.right, c.up, -c.back))};
+               glm::dmat3(c.right, c.up, -c.back)),
+        camera({"the camera is turned by a quarter turn", "Its right axis is its up axis.", roll},
+               glm::dmat3(c.up, -c.right, c.back)),
+        camera({"the camera is turned by a quarter turn", "Its up axis is its right axis.", roll},
+               glm::dmat3(-c.up, c.right, c.back)),
+        pose_of({"the camera's pose is inverted", "The pose is taken for its inverse.", pose}, turned_back,
+                -minus_translation),
+        pose_of({"the view matrix's rotation is transposed", "Its translation is kept.", pose}, turned_back,
+                turned_back * minus_translation),
+        pose_of({"the view matrix's translation is taken for the eye", "Its rotation is right.", pose}, axes,
+                -minus_translation),
+        camera(
+            {"the camera's pitch has the wrong sign", "It looks as far down as it should look up.", angles},
+            glm::dmat3(mirrored(c.right, 1), -mirrored(c.up, 1), mirrored(c.back, 1))),
+        camera(
+            {"the camera's yaw has the wrong sign", "It looks as far left as it should look right.", angles},
+            glm::dmat3(-mirrored(c.right, 0), mirrored(c.up, 0), mirrored(c.back, 0))),
+        camera({"the camera's quaternion is read as (x, y, z, w)", "It is stored as (w, x, y, z).", angles},
+               glm::mat3_cast(glm::dquat(q.z, q.w, q.x, q.y))),
+        camera({"the camera's quaternion is read as (w, x, y, z)", "It is stored as (x, y, z, w).", angles},
+               glm::mat3_cast(glm::dquat(q.x, q.y, q.z, q.w)))};
 }
 
 /// The other kind of projection, through a window of the same numbers.
