@@ -59,7 +59,8 @@ bool is_right_before_the_eye(const Scene& scene, const View& view, const Rendere
 std::string judged(const Scene& scene, const View& view, const Renderer& renderer, ContractTally& tally) {
     const Renderer embree = open({.who = BuiltIn{"embree"}, .precision_word = {}}, scene);
     const Frame reference = embree.render(view);
-    const CandidateFrame candidate = candidate_frame(scene, view, renderer, renderer.render(view), reference);
+    const CandidateFrame candidate =
+        candidate_frame(scene, view, renderer, renderer.render(view), {reference, embree.precision});
     const RenderedFrame ours{candidate.frame, renderer.precision}, theirs{reference, embree.precision};
     const Verdict verdict = judge(scene, view, ours, theirs);
     if (defect_count(verdict) == 0) return "kept\n";

@@ -42,7 +42,8 @@ Story story_of(const ExplainArguments& arguments, const Scene& scene, const View
     const Renderer ours = open(arguments.renderers.candidate, scene),
                    theirs = open(arguments.renderers.reference, scene);
     const Frame reference = theirs.render(view);
-    const CandidateFrame candidate = candidate_frame(scene, view, ours, ours.render(view), reference);
+    const CandidateFrame candidate =
+        candidate_frame(scene, view, ours, ours.render(view), {reference, theirs.precision});
     const PixelExplanation story = explain(scene, view, {candidate.frame, ours.precision},
                                            {reference, theirs.precision}, {arguments.x, arguments.y});
     return {in_words(scene, story), candidate.label_sentence(arguments.x, arguments.y),

@@ -14,7 +14,7 @@ std::optional<SaidLabels> CandidateFrame::said() const {
 }
 
 CandidateFrame candidate_frame(const Scene& scene, const View& view, const Renderer& renderer, Frame given,
-                               const Frame& reference) {
+                               const RenderedFrame& reference) {
     if (!renderer.labels) return {.frame = std::move(given), .labels = nullptr, .own_ids = {}};
     given.attributes = {};  // they are of triangles that the frame does not name
     Frame frame = with_triangles(scene, view, {given, renderer.precision}, *renderer.labels, reference);

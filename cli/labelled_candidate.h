@@ -24,6 +24,6 @@ struct CandidateFrame {
 
 /// Takes the frame that the renderer gave; without its attributes, where its ids stand for labels.
 CandidateFrame candidate_frame(const Scene& scene, const View& view, const Renderer& renderer, Frame given,
-                               const Frame& reference);
+                               const RenderedFrame& reference);
 
 }  // namespace zproof

@@ -244,6 +244,9 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
                         "the renderer's precision lists projections without " + refused);
     if (const std::string outside = outside_judged_ranges(view); !outside.empty())
         return unjudged(source, view, Outcome::unreadable, outside);
+    for (const Renderer* renderer : {&opened.candidate, &opened.reference})
+        if (const std::string why = unjudgeable(view.camera, renderer->precision); !why.empty())
+            return unjudged(source, view, Outcome::unreadable, renderer->name + ": " + why);
     if (const std::string lacking = lacking_memory({view.width, view.height}); !lacking.empty())
         return unjudged(source, view, Outcome::unreadable, lacking);
 
@@ -258,8 +261,8 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
     begin(view_run, "judge", &StageTimes::judge);
     const std::vector<std::string> remarks = remarks_on_attributes(view_run, given.attributes),
                                    attributes = names_of_judged(view_run, given.attributes);
-    const CandidateFrame candidate =
-        candidate_frame(scene, view, opened.candidate, std::move(given), reference);
+    const CandidateFrame candidate = candidate_frame(scene, view, opened.candidate, std::move(given),
+                                                     {reference, opened.reference.precision});
     const RenderedFrame ours{candidate.frame, opened.candidate.precision},
         theirs{reference, opened.reference.precision};
     Verdict verdict;

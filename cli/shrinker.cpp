@@ -67,8 +67,8 @@ class Trial {
     void judge_candidate(const Renderer& candidate, const Renderer& reference, const Frame& theirs,
                          const SceneAndView& at) {
         if (!refused_projection(candidate.projections, at.view.camera).empty()) return;
-        const CandidateFrame ours =
-            candidate_frame(at.scene, at.view, candidate, candidate.render(at.view), theirs);
+        const CandidateFrame ours = candidate_frame(at.scene, at.view, candidate, candidate.render(at.view),
+                                                    {theirs, reference.precision});
         findings_ = judge(at.scene, at.view, {ours.frame, candidate.precision}, {theirs, reference.precision})
                         .findings;
     }

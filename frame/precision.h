@@ -138,6 +138,7 @@ struct RayPrecision {
     HitPoint hit_point = HitPoint::distance;
     double world_absolute = 0;  ///< a further error of corners in each axis, scene units
     double depth_of_range = 0;  ///< a further error of depth, as a share of far - near; needs a finite far
+    int depth_roundings = 1;    ///< float32 roundings from the hit to the reported depth
     double depth_step = 0;      ///< reported depths are its whole multiples, the nearest; 0: any; scene units
 
     bool operator==(const RayPrecision&) const = default;

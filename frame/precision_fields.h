@@ -58,6 +58,7 @@ void visit_fields(RayPrecision& p, const Visit& visit) {
     visit("hit_point", p.hit_point);
     visit("world_absolute", p.world_absolute, length);
     visit("depth_of_range", p.depth_of_range, share);
+    visit("depth_roundings", p.depth_roundings, Limits{1, 10000});
     visit("depth_step", p.depth_step, length);
 }
 

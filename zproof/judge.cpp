@@ -81,7 +81,8 @@ zproof::Frame judged_frame(const Verdict::Data& data) {
                           {view.width, view.height});
     zproof::Frame of_labels = data.given;
     if (labels->are_absent) of_labels.primitive = Plane<PrimitiveId>(of_labels.camera_depth.size());
-    zproof::Frame of_triangles = with_triangles(scene, view, {of_labels, precision}, *labels, reference);
+    zproof::Frame of_triangles =
+        with_triangles(scene, view, {of_labels, precision}, *labels, reference_of(data));
     of_triangles.camera_depth =
         Plane<float>::lent(of_labels.camera_depth.size(), data.given.camera_depth.pixels().data());
     return of_triangles;

@@ -14,6 +14,18 @@ namespace zproof {
 
 namespace {
 
+/// How far beyond its corners a triangle may be shown by edges that are moved outwards so far.
+double beyond_corners_px(const std::array<Affine<double>, 3>& edges, double moved_px) {
+    double most = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Affine<double>&e = edges[i], &f = edges[(i + 1) % 3];
+        const double slopes = std::sqrt((e.a * e.a + e.b * e.b) * (f.a * f.a + f.b * f.b)),
+                     sine = std::abs(e.a * f.b - f.a * e.b) / slopes;
+        most = std::max(most, sine > 0 ? 2 * moved_px / sine : unlimited);
+    }
+    return most;
+}
+
 /// Marks the pixels at which a triangle's edges, and its cuts by near and far, pass nearer than the reference
 /// may be off, where the candidate may be off by less. Its functionals are those of pixel indices.
 class CoarseOutline {
@@ -28,7 +40,7 @@ class CoarseOutline {
           first_(
               seen_at(ViewRay<double>(view_, 0, 0), {frames.reference.bounds, p_world_, in_view_.extent})) {
         box_ = box;
-        if (is_shown) box_.widen(reference_.most_eps_px() + 1);
+        if (is_shown) box_.widen(std::min(reference_.most_eps_px() + 1 + beyond_px(), largest_side_px));
         box_ = {std::max(box_.left - 0.5, 0.0), std::max(box_.top - 0.5, 0.0),
                 std::min(box_.right - 0.5, view_.width - 1.0),
                 std::min(box_.bottom - 0.5, view_.height - 1.0)};
@@ -42,7 +54,8 @@ class CoarseOutline {
         const auto is_finer_at = [&](double inverse_depth) {
             return reference.at(inverse_depth).eps_px <= candidate.at(inverse_depth).eps_px;
         };
-        const bool is_finer = is_finer_at(here.low) && is_finer_at(here.high);
+        const bool is_finer =
+            is_finer_at(here.low) && is_finer_at(here.high) && !(beyond_px() > candidate_.eps_base_px);
         eps_px_ = reference.at(here.high).eps_px;
         if (reference_.may_be_missing && !candidate_.may_be_missing) mark_band({0, 0, 0}, 0, pixels);
         for (const Affine<double>& edge : first_.edges)
@@ -53,9 +66,19 @@ class CoarseOutline {
     }
 
   private:
+    static constexpr double largest_side_px = 32768;
+
     struct Span {
         double low, high;
     };
+    /// How far beyond its corners the reference may show the triangle by rounding; 0 where the candidate may,
+    /// too.
+    double beyond_px() const {
+        const auto rounding = [](const TriangleBounds& b) { return std::ranges::max(b.edge_rounding_px); };
+        return rounding(candidate_) >= rounding(reference_)
+                   ? 0
+                   : beyond_corners_px(first_.edges, reference_.most_eps_px());
+    }
     /// What an edge may be off by, with our own error anywhere in the image.
     double reach_of(const Affine<double>& edge) const {
         return eps_px_ * (std::abs(edge.a) + std::abs(edge.b)) +
@@ -157,12 +180,16 @@ Plane<std::uint8_t> find_unproven_pixels(const FramePair& frames) {
     Plane<std::uint8_t> is_unproven(Resolution{frames.view.width, frames.view.height}, may_have_gaps);
     const std::size_t count = frames.scene.triangles.size();
     const std::vector<std::uint8_t> is_shown = shown_by(frames.reference.frame, count);
+    const ViewRay<double> first_pixel(frames.view, 0, 0);
     tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
         const CornersWorld p_world = corners_of(frames.scene, std::uint32_t(i));
         const Box box = project(p_world);
         if (box.is_empty() || !(is_shown[i] || holds_a_centre(box))) return;
         const TriangleBounds bounds = frames.reference.bounds.of(p_world);
-        if (!(bounds.most_eps_px() <= fine_px) || bounds.may_be_missing ||
+        const bool is_thin = bounds.may_be_shown_by_rounding() &&
+                             beyond_corners_px(edges_of(first_pixel, corners<double>(p_world)),
+                                               bounds.most_eps_px()) > fine_px;
+        if (!(bounds.most_eps_px() <= fine_px) || is_thin || bounds.may_be_missing ||
             bounds.may_be_clipped(frames.view.camera))
             CoarseOutline(frames, std::uint32_t(i), box, is_shown[i] != 0).mark(is_unproven);
     });

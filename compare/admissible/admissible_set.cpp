@@ -463,7 +463,7 @@ template <class Number>
 bool AdmissibleSet<Number>::holds_centre(size_t occluder, std::optional<size_t> seen) {
     const HalfPlanes<Number> half_planes = cover(occluder, seen, EdgeStays::no);
     spend(half_planes.size());
-    return std::ranges::all_of(half_planes, [](LinePointer line) { return sign(line->f.c) >= 0; }) &&
+    return std::ranges::all_of(half_planes, [](LinePointer line) { return sign(line->f.c) > 0; }) &&
            !is_cut_at_the_centre(occluder);
 }
 

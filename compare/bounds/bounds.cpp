@@ -1,6 +1,9 @@
 #include "compare/bounds/bounds.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "frame/frame_error.h"
 
 namespace zproof {
 
@@ -23,6 +26,10 @@ Precision shown_precision(const Precision& precision) {
     RasterPrecision reported = *raster;
     reported.depth_buffer = DepthBuffer::camera_depth;
     return reported;
+}
+
+void refuse_unjudgeable(const Camera& camera, const Precision& precision) {
+    if (const std::string why = unjudgeable(camera, precision); !why.empty()) throw FrameError(why);
 }
 
 /// Nobody knows where one clips of which nothing is known.
@@ -54,8 +61,21 @@ bool is_watertight(const Precision& precision) {
         precision);
 }
 
+std::string unjudgeable(const Camera& camera, const Precision& precision) {
+    const double share = std::visit(
+        [](const auto& p) {
+            if constexpr (requires { p.depth_of_range; }) return p.depth_of_range;
+            return 0.0;
+        },
+        precision);
+    return share > 0 && std::isinf(camera.far_depth) ? "depth_of_range is a share of far - near, and far is "
+                                                       "infinite; expected a view with a finite "
+                                                       "far plane (a glTF camera's zfar), or another promise"
+                                                     : "";
+}
+
 ViewBounds::ViewBounds(const View& view, const Precision& precision)
-    : facts_(view),
+    : facts_((refuse_unjudgeable(view.camera, precision), view)),
       near_depth_(ends_at_the_eye(precision) ? std::max(view.camera.near_depth, 0.0)
                                              : view.camera.near_depth),
       depth_step_(std::visit([](const auto& p) { return p.depth_step; }, precision)),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -17,10 +18,13 @@ namespace zproof {
 /// Does the renderer promise to leave no gap between triangles that share an edge?
 bool is_watertight(const Precision& precision);
 
+/// Why the promise says nothing of the view: depth_of_range without a finite far. Empty: it does.
+std::string unjudgeable(const Camera& camera, const Precision& precision);
+
 /// What a renderer's precision means for one view.
 class ViewBounds {
   public:
-    /// Of the depths that are compared.
+    /// Of the depths that are compared. Throws FrameError where it is unjudgeable().
     ViewBounds(const View& view, const Precision& precision);
     /// Of the depths that a frame shows: of another kind, or stored in steps.
     static ViewBounds of_shown(const View& view, const Precision& precision);

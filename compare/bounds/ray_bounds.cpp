@@ -188,8 +188,10 @@ TriangleBounds RayBounds::of(const ViewFacts& facts, const TriangleExtent& exten
     const Camera& c = facts.view.camera;
     bounds.near_slack = slack(c.near_depth);
     bounds.far_slack = std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
-    // frames hold float32: a wider depth is rounded once more on its way there
-    if (precision_.arithmetic == Arithmetic::float64) bounds.depth_factor += unit_roundoff_float32;
+    // frames hold float32: a wider depth is rounded on its way there, a float32 only by further roundings
+    const int roundings = precision_.depth_roundings - (precision_.arithmetic == Arithmetic::float32);
+    if (roundings == 1) bounds.depth_factor += unit_roundoff_float32;
+    if (roundings > 1) bounds.depth_factor += gamma(roundings, unit_roundoff_float32);
     bounds.may_be_missing = may_be_missed(facts, extent);
     return bounds;
 }

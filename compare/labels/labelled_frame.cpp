@@ -12,6 +12,7 @@
 #include "compare/adjudicate/adjudicator.h"
 #include "compare/adjudicate/pixel_check.h"
 #include "compare/adjudicate/tile_work.h"
+#include "compare/adjudicate/unproven_pixels.h"
 #include "compare/admissible/depth_rule.h"
 #include "compare/labels/search_reach.h"
 
@@ -61,12 +62,13 @@ class FirstTriangles {
 class LabelledFrame {
   public:
     LabelledFrame(const Scene& scene, const View& view, const RenderedFrame& of_labels,
-                  const TriangleLabels& labels, const Frame& reference)
+                  const TriangleLabels& labels, const RenderedFrame& reference)
         : scene_(scene),
           view_(view),
           labelled_(view, of_labels),
           labels_(labels),
-          reference_(reference),
+          reference_(reference.frame),
+          is_unproven_(unproven_by(reference)),
           first_(labels.of_triangle) {}
 
     Frame triangles() const {
@@ -81,6 +83,17 @@ class LabelledFrame {
     }
 
   private:
+    /// Where it would prove nothing that the candidate names the reference's triangle.
+    Plane<std::uint8_t> unproven_by(const RenderedFrame& reference) const {
+        Frame supposed;
+        supposed.primitive =
+            Plane<PrimitiveId>::lent(reference_.size(), reference_.primitive.pixels().data());
+        supposed.camera_depth =
+            Plane<float>::lent(reference_.size(), labelled_.frame.camera_depth.pixels().data());
+        return find_unproven_pixels(
+            {scene_, view_, {view_, {supposed, labelled_.precision}}, {view_, reference}});
+    }
+
     std::uint32_t label_at(const PixelCoord& pixel) const {
         return labels_.are_absent ? 0 : std::uint32_t(labelled_.frame.primitive.at(pixel.x, pixel.y));
     }
@@ -97,7 +110,7 @@ class LabelledFrame {
                 named = PrimitiveId::none;
             else if (first == no_such_triangle || std::isnan(depth))
                 named = first;
-            else if (has_label(reference, label) && holds_depth(reference, pixel))
+            else if (!is_unproven_.at(x, y) && has_label(reference, label) && holds_depth(reference, pixel))
                 named = reference;
             else
                 open.push_back(pixel);
@@ -226,6 +239,7 @@ class LabelledFrame {
     BoundedFrame labelled_;
     const TriangleLabels& labels_;
     const Frame& reference_;
+    Plane<std::uint8_t> is_unproven_;
     FirstTriangles first_;
     mutable tbb::enumerable_thread_specific<RecentDepths> recent_{RecentDepths(most_recent)};
 };
@@ -250,7 +264,7 @@ Frame with_labels(Frame frame, const TriangleLabels& labels) {
 }
 
 Frame with_triangles(const Scene& scene, const View& view, const RenderedFrame& of_labels,
-                     const TriangleLabels& labels, const Frame& reference) {
+                     const TriangleLabels& labels, const RenderedFrame& reference) {
     return LabelledFrame(scene, view, of_labels, labels, reference).triangles();
 }
 

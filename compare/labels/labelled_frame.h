@@ -26,11 +26,12 @@ bool have_one_label(const TriangleLabels& labels, PrimitiveId one, PrimitiveId o
 Frame with_labels(Frame of_triangles, const TriangleLabels& labels);
 
 /// Names a triangle of each pixel's label that a faultless renderer may show there at that depth, if there is
-/// one: the reference's own, or else the one that is admissible for the strongest reason. Where there is
-/// none, a triangle of the label that lets the judge say what is wrong. Runs on the threads of the
-/// surrounding tbb::task_arena; the result does not depend on their number. All frames have the view's size.
+/// one: the reference's own where it proves that, or else the one that is admissible for the strongest
+/// reason. Where there is none, a triangle of the label that lets the judge say what is wrong. Runs on the
+/// threads of the surrounding tbb::task_arena; the result does not depend on their number. All frames have
+/// the view's size.
 Frame with_triangles(const Scene& scene, const View& view, const RenderedFrame& of_labels,
-                     const TriangleLabels& labels, const Frame& reference);
+                     const TriangleLabels& labels, const RenderedFrame& reference);
 
 /// What the frame itself says at a pixel, after a finding about its triangle: "; the frame says material 3
 /// (Wood)". Empty where it gives triangles.

@@ -17,8 +17,10 @@ Trial::Trial(const AttackScene& scene)
       truth_(scene.scene, scene.view),
       right_(draw_at_limits(truth_, allowance_of(of_the_truth, scene.view), {})) {}
 
+RenderedFrame Trial::reference() const { return {right_, of_the_truth}; }
+
 Verdict Trial::judge_of(const Frame& frame, const Precision& precision) const {
-    return judge(scene_.scene, scene_.view, {frame, precision}, {right_, of_the_truth});
+    return judge(scene_.scene, scene_.view, {frame, precision}, reference());
 }
 
 std::string first_defect(const Verdict& verdict) {

@@ -15,6 +15,7 @@ class Trial {
     const AttackScene& scene() const { return scene_; }
     const ExactScene& truth() const { return truth_; }
     const Frame& right() const { return right_; }
+    RenderedFrame reference() const;
 
     Verdict judge_of(const Frame& frame, const Precision& precision) const;
 

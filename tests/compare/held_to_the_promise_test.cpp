@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "frame/frame_error.h"
 #include "frame/precision_text.h"
 #include "test_scene.h"
 
@@ -144,6 +145,47 @@ TEST(HeldToThePromise, ADepthThatNothingBoundsMayLieBehindAParallelEye) {
     EXPECT_EQ(t.verdict().open_depths, 0u);
 }
 
+/// Both triangles may end just where the centre lies, and hold it no more.
+TEST(HeldToThePromise, AnEdgeThatIsMovedOntoTheCentreLeavesItBare) {
+    TestScene t(Projection::parallel, 4, 16, {wall_left_of(1.75, 4), wall_right_of(1.75, 4)});
+    answer(t.reference, 1, 8, 0, 4);
+    const auto class_by = [&](double eps_px) {
+        t.candidate_precision =
+            BoundedPrecision{.eps_px = eps_px, .depth_relative = 1e-9, .watertight = false};
+        return t.class_at(1, 8);
+    };
+    EXPECT_TRUE(passes(class_by(0.25)));
+    EXPECT_EQ(class_by(0.2499), PixelClass::hole);
+}
+
+/// Two float32 numbers are told: a depth of 4 is off by 2 u of it, or by 4.
+TEST(HeldToThePromise, ARaysDepthIsRoundedAsOftenAsDeclared) {
+    TestScene t(Projection::parallel, 2, 2, {wall(4)});
+    answer_everywhere(t.reference, 0, 4);
+    const auto class_by = [&](int roundings, double depth) {
+        t.candidate_precision = RayPrecision{.arithmetic = Arithmetic::float64, .depth_roundings = roundings};
+        return class_of_depth(t, 0, 0, depth);
+    };
+    EXPECT_EQ(class_by(1, 4 + 0x1p-21), PixelClass::wrong_depth);
+    EXPECT_EQ(class_by(2, 4 + 0x1p-21), PixelClass::agree);
+    EXPECT_EQ(class_by(3, 4 + 0x1p-20), PixelClass::wrong_depth);
+    EXPECT_EQ(class_by(4, 4 + 0x1p-20), PixelClass::agree);
+}
+
+/// A share of an infinite range is no bound.
+TEST(HeldToThePromise, AShareOfTheRangeNeedsAFarPlane) {
+    TestScene t(Projection::perspective, 2, 2, {wall(4)});
+    const BoundedPrecision of_range{.eps_px = 0.01, .depth_relative = 1e-6, .depth_of_range = 1e-9};
+    for (const Precision& declared : {Precision(of_range), Precision(RayPrecision{.depth_of_range = 1e-9}),
+                                      Precision(PlaneRayPrecision{.depth_of_range = 1e-9})}) {
+        t.view.camera.far_depth = 100;
+        t.candidate_precision = declared;
+        EXPECT_EQ(t.class_at(0, 0), PixelClass::hole);
+        t.view.camera.far_depth = HUGE_VAL;
+        EXPECT_THROW(t.verdict(), FrameError);
+    }
+}
+
 /// Near leaves a quadrilateral of the triangle. One of its diagonals passes 1/6 px beside the centre of pixel
 /// (6, 4).
 TEST(HeldToThePromise, ATriangleThatNearCutsHasAGapAlongADiagonal) {
@@ -238,6 +280,19 @@ TEST(HeldToThePromise, RoundedEdgeFunctionsShowATriangleBeyondItsTip) {
     EXPECT_EQ(class_of_depth(t, 5, 1, 4), PixelClass::outside) << "exact edge functions say so";
 }
 
+/// Embree may show it there. That proves nothing to one that displaces it by a thousandth of a pixel.
+TEST(HeldToThePromise, ATipThatTheReferenceShowsByRoundingProvesNothing) {
+    const double thin = 1e-6;
+    TestScene t(Projection::parallel, 8, 4, {{{{-40, 1.5, 4}, {2.5, 1.5, 4}, {-40, 1.5 + thin, 4}}}});
+    answer(t.candidate, 5, 1, 0, 4);
+    answer(t.reference, 5, 1, 0, 4);
+    answer(t.reference, 0, 3, 0, 4);  // or both are one frame
+    t.candidate_precision = BoundedPrecision{.eps_px = 1e-3, .depth_relative = 1e-6};
+    EXPECT_EQ(t.class_at(5, 1), PixelClass::outside);
+    t.candidate_precision = ray_precision();
+    EXPECT_TRUE(passes(t.class_at(5, 1)));
+}
+
 /// Edges that err show nothing that near or far cuts off.
 TEST(HeldToThePromise, RoundedEdgesShowNothingBeyondThePlanes) {
     for (const Projection projection : {Projection::perspective, Projection::parallel})
@@ -287,6 +342,16 @@ TEST(HeldToThePromise, AWeightOfTheImageIsHeldToItsTolerance) {
 
 TriangleBounds bounds_by(const TestScene& t, const Precision& precision) {
     return ViewBounds(t.view, precision).of(corners_of(t.scene, 0));
+}
+
+/// A depth of 1.25 is told as 1, and one of 1 as 1.3: t - r t - a >= near, t + r t + a <= far.
+TEST(HeldToThePromise, DepthsThatErrAreHeldAgainstThePlanes) {
+    TestScene t(Projection::perspective, 8, 8, {wall(4)});
+    t.view.camera.near_depth = 1;
+    const TriangleBounds bounds =
+        bounds_by(t, BoundedPrecision{.eps_px = 1, .depth_relative = 0.2, .depth_absolute = 0.1});
+    EXPECT_NEAR(bounds.near_slack, (1 + 0.1) / (1 - 0.2) - 1, 1e-12);
+    EXPECT_NEAR(bounds.far_slack, (1024 + 0.1) / (1 - 0.2) - 1024, 1e-9);
 }
 
 /// Three weights down to minus the tolerance: 6 of it more in absolute values. In space a corner at depth 1

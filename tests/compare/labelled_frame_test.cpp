@@ -93,7 +93,8 @@ TEST(ALabel, PassesExactlyWhereSomeTriangleOfItIsAdmissibleAtThatDepth) {
         SCOPED_TRACE(seed);
         const RandomPixel p(seed);
         const ViewBounds bounds(p.view, p.precision);
-        const Frame frame = with_triangles(p.scene, p.view, {p.frame, p.precision}, p.labels, p.reference);
+        const Frame frame =
+            with_triangles(p.scene, p.view, {p.frame, p.precision}, p.labels, {p.reference, p.precision});
         const auto named = std::uint32_t(frame.primitive.at(p.pixel.x, p.pixel.y));
         ASSERT_LT(named, p.scene.triangles.size());
         ASSERT_EQ(p.labels.of_triangle[named], p.label());
@@ -121,8 +122,8 @@ class TwoWalls : public testing::TestWithParam<Projection> {
     PixelClass class_of(const TriangleLabels& labels, std::uint32_t label, float depth) {
         answer_everywhere(t.candidate, label, depth);
         answer_everywhere(t.reference, front, 4);
-        t.candidate =
-            with_triangles(t.scene, t.view, {t.candidate, t.candidate_precision}, labels, t.reference);
+        t.candidate = with_triangles(t.scene, t.view, {t.candidate, t.candidate_precision}, labels,
+                                     {t.reference, t.reference_precision});
         return t.class_at(1, 1);
     }
     PrimitiveId named() const { return t.candidate.primitive.at(1, 1); }
@@ -139,6 +140,19 @@ TEST_P(TwoWalls, AreToldApartByDepthAlone) {
     EXPECT_EQ(class_of(all, 99, background_depth), PixelClass::hole);
     EXPECT_EQ(class_of(all, 99, std::nanf("")), PixelClass::invalid);
     EXPECT_EQ(class_of(all, 99, -1), PixelClass::invalid);
+}
+
+/// Of two triangles at one depth the reference names the one beyond an edge that it does not place as finely.
+TEST_P(TwoWalls, AreNotNamedByAReferenceThatProvesNothing) {
+    t.scene = scene_of(t.view, {wall_left_of(1.5 + 1e-3, 4), wall_right_of(1.5 + 1e-3, 4)});
+    t.reference_precision = BoundedPrecision{.eps_px = 0.01, .depth_relative = 1e-6};
+    t.candidate_precision = BoundedPrecision{.eps_px = 1e-4, .depth_relative = 1e-6};
+    answer_everywhere(t.candidate, 99, 4);
+    answer_everywhere(t.reference, 0, 4);
+    answer(t.reference, 1, 1, 1, 4);
+    t.candidate = with_triangles(t.scene, t.view, {t.candidate, t.candidate_precision}, depth_alone(t.scene),
+                                 {t.reference, t.reference_precision});
+    EXPECT_EQ(named(), PrimitiveId(0));
 }
 
 TEST_P(TwoWalls, AreToldApartByTheirLabels) {
@@ -169,7 +183,8 @@ TEST_P(TwoWalls, LabelsOfTrianglesComeBackAsTriangles) {
     EXPECT_EQ(said.primitive.at(0, 0), PrimitiveId(5));
     EXPECT_EQ(said.primitive.at(1, 1), PrimitiveId(7));
     EXPECT_EQ(said.primitive.at(2, 2), PrimitiveId::none);
-    const Frame back_again = with_triangles(t.scene, t.view, {said, t.candidate_precision}, two, t.reference);
+    const Frame back_again = with_triangles(t.scene, t.view, {said, t.candidate_precision}, two,
+                                            {t.reference, t.reference_precision});
     EXPECT_TRUE(std::ranges::equal(back_again.primitive.pixels(), t.candidate.primitive.pixels()));
 }
 
@@ -179,7 +194,7 @@ TEST_P(TwoWalls, GiveTheSameFrameOnAnyNumberOfThreads) {
         Frame frame;
         tbb::task_arena(threads).execute([&] {
             frame = with_triangles(t.scene, t.view, {t.candidate, t.candidate_precision},
-                                   depth_alone(t.scene), t.reference);
+                                   depth_alone(t.scene), {t.reference, t.reference_precision});
         });
         return frame;
     };
@@ -195,7 +210,8 @@ TEST(ALabel, NamesTheTriangleWhoseBoundReachesANegativeDepth) {
     const RenderedFrame of_labels{t.candidate, BoundedPrecision{.eps_px = 0.01, .depth_absolute = 0.5}};
     answer_everywhere(t.candidate, 7, -0.25);
     answer_everywhere(t.reference, 0, 4);
-    const Frame named = with_triangles(t.scene, t.view, of_labels, labels({7, 7}), t.reference);
+    const Frame named =
+        with_triangles(t.scene, t.view, of_labels, labels({7, 7}), {t.reference, t.reference_precision});
     EXPECT_EQ(named.primitive.at(1, 1), PrimitiveId(1));
 }
 

@@ -40,9 +40,10 @@ class GivenFrame : public testing::Test {
 
     std::string cause_of(const Frame& said, const FrameAsGiven& given) const {
         const Precision precision = rasterizer::precision();
-        const Frame triangles = given.said ? with_triangles(loaded_.scene, view_, {said, precision},
-                                                            given.said->labels, reference_)
-                                           : said;
+        const Frame triangles =
+            given.said ? with_triangles(loaded_.scene, view_, {said, precision}, given.said->labels,
+                                        {reference_, oracle::embree_precision()})
+                       : said;
         const RenderedFrame ours{triangles, precision}, theirs{reference_, oracle::embree_precision()};
         const auto diagnosis =
             diagnose(loaded_.scene, view_, ours, theirs, judge(loaded_.scene, view_, ours, theirs), given);

@@ -6,6 +6,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "frame/frame_error.h"
 #include "frame/precision_text.h"
 #include "math/sha256.h"
 #include "scenes/scene_hash.h"
@@ -128,10 +129,12 @@ std::string declared_text(const Precision& precision) {
     std::string text = precision_to_json(precision);
     for (const std::string young :
          {R"(,"third_weight":"edge_function")", R"(,"nothing_behind_the_eye":false)",
-          R"(,"depth_rounding":"either")", R"(,"depth_of_range":0.0)", R"(,"depth_step":0.0)"}) {
+          R"(,"depth_rounding":"either")", R"(,"depth_of_range":0.0)", R"(,"depth_roundings":1)",
+          R"(,"depth_step":0.0)"}) {
         const std::size_t place = text.find(young);
-        const bool is_old =
-            young.find("of_range") != std::string::npos && !std::holds_alternative<RayPrecision>(precision);
+        const bool is_of_rays =
+            young.find("of_range") != std::string::npos || young.find("depth_roundings") != std::string::npos;
+        const bool is_old = is_of_rays && !std::holds_alternative<RayPrecision>(precision);
         if (place != std::string::npos && !is_old) text.erase(place, young.size());
     }
     return text;
@@ -163,8 +166,8 @@ VerdictText judged_text(const Subject& subject) {
         VerdictText text{"refused\n", "", {{"refused", 1}}};
         try {
             text = text_of(judged(subject.cases[i]));
-        } catch (
-            const std::invalid_argument&) {  // what the judge says of frames that are none of this view's
+        } catch (const std::invalid_argument&) {  // of frames that are none of this view's
+        } catch (const FrameError&) {             // of a promise that says nothing of this view
         }
         const std::string head = "case " + std::to_string(i) + "\n";
         all.classes += head + text.classes;

@@ -28,8 +28,7 @@ Verdict judged_by(const std::string& ids, const Loaded& loaded, const View& view
                   const RenderedFrame& candidate, const RenderedFrame& reference) {
     const TriangleLabels labels = label_triangles(ids, loaded.scene);
     const Frame said = with_labels(candidate.frame, labels);
-    const Frame frame =
-        with_triangles(loaded.scene, view, {said, candidate.precision}, labels, reference.frame);
+    const Frame frame = with_triangles(loaded.scene, view, {said, candidate.precision}, labels, reference);
     return judge(loaded.scene, view, {frame, candidate.precision}, reference);
 }
 

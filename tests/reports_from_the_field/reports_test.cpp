@@ -116,8 +116,8 @@ std::optional<Diagnosis> diagnosis_of_labels(const FieldFrame& report, const Tri
                                              const Shown& shown) {
     const Frame reference = oracle::Embree(shown.scene).trace(shown.view);
     Frame said = labels.are_absent ? shown.frame : with_labels(shown.frame, labels);
-    const Frame of_triangles =
-        with_triangles(shown.scene, shown.view, {said, report.declared}, labels, reference);
+    const Frame of_triangles = with_triangles(shown.scene, shown.view, {said, report.declared}, labels,
+                                              {reference, oracle::embree_precision()});
     const RenderedFrame ours{of_triangles, report.declared}, theirs{reference, oracle::embree_precision()};
     return diagnose(shown.scene, shown.view, ours, theirs, judge(shown.scene, shown.view, ours, theirs),
                     {.said = SaidLabels{labels, said.primitive}});
