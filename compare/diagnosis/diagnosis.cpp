@@ -54,7 +54,7 @@ struct HypothesisTest {
     /// Where a rule holds for the whole frame, other things may be wrong with it as well: here so few that no
     /// further cause is asked of them.
     bool leaves_little() const {
-        return speaks_of_all && !hypothesis->only_permits &&
+        return speaks_of_all && !hypothesis->only_permits && !hypothesis->tells_numbers &&
                double(left()) <= least_part * double(outcome.asked);
     }
     bool explains_all() const {

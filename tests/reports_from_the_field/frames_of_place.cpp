@@ -43,6 +43,22 @@ std::function<Shown()> moved(const std::function<glm::vec3(const glm::vec3&)>& m
     };
 }
 
+/// So are those of one part alone.
+std::function<Shown()> part_moved(std::size_t part, const glm::vec3& by) {
+    return [=] {
+        const Scene scene = yard();
+        Scene other = scene;
+        const Part& p = scene.parts[part];
+        for (std::uint32_t t = p.first_triangle; t < p.first_triangle + p.triangle_count; ++t)
+            for (int corner = 0; corner < 3; ++corner) {
+                const std::uint32_t vertex = scene.triangles[t][corner];
+                other.vertices.position_world[vertex] = scene.vertices.position_world[vertex] + by;
+            }
+        const View view = view_of_yard();
+        return Shown{scene, view, cast(other, view)};
+    };
+}
+
 Aim beside_the_centre(double dx, double dy) {
     return [=](int x, int y) { return glm::dvec2(x + 0.5 + dx, y + 0.5 + dy); };
 }
@@ -476,6 +492,14 @@ std::vector<FieldFrame> of_windows() {
 std::vector<FieldFrame> of_cameras() {
     const View view = view_of_yard();
     return {
+        {"node_of_another_parent",
+         {"a part of the scene stands elsewhere"},
+         "a parent's translation is left out",
+         part_moved(1, {0.25f, 0.125f, 0})},
+        {"mesh_that_failed_to_load",
+         {"some parts are not drawn"},
+         "a file that is missing costs its node",
+         part_moved(2, {0, 0, 1000})},
         {"z_up", {"z is up instead of y"}, "zproof #43: y up against z up", moved([](const glm::vec3& p) {
              return glm::vec3(p.x, -p.z, p.y);
          })},

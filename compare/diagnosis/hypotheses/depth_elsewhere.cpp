@@ -365,6 +365,7 @@ std::vector<Hypothesis> clipped_elsewhere(const DiagnosisInput& input) {
         farthest = std::max(farthest, double(depth));
     }
     const Camera& c = input.view.camera;
+    if (is_perspective) nearest = std::max(nearest, c.near_depth * 0x1p-20);  // or it cuts nothing
     if (!(nearest < farthest)) return {};
     const auto clipped_at_depths = [&](const Cause& cause, double near_depth, double far_depth) {
         Hypothesis h = as_declared(input, cause);

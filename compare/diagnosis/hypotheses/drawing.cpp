@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <unordered_set>
 
 #include "compare/diagnosis/hypotheses/catalogue.h"
 #include "compare/diagnosis/hypotheses/plane_depth.h"
+#include "frame/joined.h"
 #include "frame/number_text.h"
 #include "math/interval.h"
 #include "math/rational.h"
@@ -210,6 +212,47 @@ Hypothesis lost_triangles(const DiagnosisInput& input) {
     return h;
 }
 
+/// Of which the reference shows something, and the candidate nothing.
+std::vector<Part> parts_never_drawn(const DiagnosisInput& input) {
+    const auto triangles_of = [](const Frame& frame) {
+        std::vector<std::uint32_t> shown;
+        for (const PrimitiveId id : frame.primitive.pixels())
+            if (shown.empty() || shown.back() != std::uint32_t(id)) shown.push_back(std::uint32_t(id));
+        std::ranges::sort(shown);
+        return shown;
+    };
+    const std::vector<std::uint32_t> ours = triangles_of(input.candidate.frame),
+                                     theirs = triangles_of(input.reference.frame);
+    const auto is_shown = [](const Part& part, const std::vector<std::uint32_t>& shown) {
+        const auto first = std::ranges::lower_bound(shown, part.first_triangle);
+        return first != shown.end() && *first - part.first_triangle < part.triangle_count;
+    };
+    std::vector<Part> parts;
+    std::ranges::copy_if(input.scene.parts, std::back_inserter(parts),
+                         [&](const Part& part) { return is_shown(part, theirs) && !is_shown(part, ours); });
+    return parts;
+}
+
+/// Which parts they are takes no more bits than which hypothesis it is.
+std::vector<Hypothesis> lost_parts(const DiagnosisInput& input) {
+    if (input.said && input.said->labels.are_absent) return {};  // who stands for a depth is no proof
+    const std::vector<Part> parts = parts_never_drawn(input);
+    if (parts.empty() || parts.size() == input.scene.parts.size()) return {};
+    Hypothesis h = with_rule(
+        input,
+        {"some parts are not drawn", "Nothing is drawn of " + joined(parts, ", ", &Part::node) + ".",
+         "Look at the list of draw calls, at what is visible, and at what failed to load."},
+        [parts](Neighbourhood& around, PrimitiveId) {
+            std::erase_if(around.neighbours, [&](const Neighbour& n) {
+                return std::ranges::any_of(parts, [&](const Part& part) {
+                    return n.triangle - part.first_triangle < part.triangle_count;
+                });
+            });
+        });
+    h.supposes_no_rule = h.tells_numbers = true;
+    return {h};
+}
+
 }  // namespace
 
 std::vector<Hypothesis> hypotheses_of_drawing(const DiagnosisInput& input) {
@@ -218,6 +261,7 @@ std::vector<Hypothesis> hypotheses_of_drawing(const DiagnosisInput& input) {
     all.push_back(dropped(input, "front", Facing::front));
     for (Hypothesis& h : of_the_depth_test(input)) all.push_back(std::move(h));
     for (Hypothesis& h : biased_test(input)) all.push_back(std::move(h));
+    for (Hypothesis& h : lost_parts(input)) all.push_back(std::move(h));
     all.push_back(lost_triangles(input));
     return all;
 }

@@ -8,6 +8,7 @@
 #include "compare/bounds/triangle_depth.h"
 #include "compare/bounds/triangle_extent.h"
 #include "compare/diagnosis/hypotheses/catalogue.h"
+#include "compare/diagnosis/hypotheses/moved_part.h"
 #include "compare/diagnosis/hypotheses/radial_distortion.h"
 #include "frame/number_text.h"
 
@@ -447,10 +448,23 @@ std::vector<Hypothesis> seen_by(const DiagnosisInput& input, const std::optional
     return {h};
 }
 
+Hypothesis elsewhere(const DiagnosisInput& input, const Part& part, const ProposedCamera& proposed) {
+    Hypothesis h = shown_instead(
+        input,
+        {"a part of the scene stands elsewhere",
+         part.node + " is seen as if " + proposed.cause.name + ": " + proposed.cause.description,
+         "Look at its node: translation, rotation, scale, and those of its parents."},
+        with_part_moved(input.scene, part, input.view.camera, proposed.camera.view.camera), input.view);
+    h.learned_bits = proposed.learned_bits;
+    h.tells_numbers = true;
+    return h;
+}
+
 /// Tiles that hold a defect are that camera's, or some pixels: where most of the frame is the declared one's.
 std::vector<Hypothesis> stale_parts(const DiagnosisInput& input,
                                     const std::optional<ProposedCamera>& proposed) {
     if (!proposed) return {};
+    if (const Part* part = only_part_that_differs(input)) return {elsewhere(input, *part, *proposed)};
     const auto world = std::make_shared<OtherWorld>(input, declared_scene(input), proposed->camera.view);
     std::vector<Hypothesis> all;
     for (const int side : {256, 128, 64, 32, 16, 8, 1}) {
