@@ -31,10 +31,17 @@ struct Layer {
 constexpr Layer id_layer{"id", is_unsigned, "uint"}, depth_layer{"Z", is_real, "float or half"};
 
 std::optional<ChannelPlace> channel_named(const ImageFile& file, const std::string& name) {
+    std::optional<ChannelPlace> found;
     for (std::size_t p = 0; p < file.parts().size(); ++p)
-        for (std::size_t c = 0; c < file.parts()[p].channels.size(); ++c)
-            if (file.parts()[p].channels[c].name == name) return ChannelPlace{int(p), int(c)};
-    return std::nullopt;
+        for (std::size_t c = 0; c < file.parts()[p].channels.size(); ++c) {
+            if (file.parts()[p].channels[c].name != name) continue;
+            if (found)
+                throw FrameError(file.name() + ": channel '" + name +
+                                 "' stands in several parts; the file holds " + file.what_it_holds() +
+                                 "; expected it once");
+            found = ChannelPlace{int(p), int(c)};
+        }
+    return found;
 }
 
 /// TIFF, PNG and PFM have no names for channels: an image of one channel is known by its type.

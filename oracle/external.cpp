@@ -80,7 +80,8 @@ void remove_answer(const fs::path& out) {
 
 /// The file or the two files that the program wrote, as a frame is named.
 fs::path answer_at(const fs::path& out) {
-    if (fs::exists(out)) return out;
+    std::error_code ignored;  // of a loop of links: the reader tells it
+    if (fs::exists(out, ignored)) return out;
     fs::path ids, depths, other;
     for (const fs::path& file : files_beside(out)) {
         const std::string name = file.string();

@@ -85,7 +85,9 @@ class CornerVertices {
 
 class ObjReader {
   public:
-    explicit ObjReader(const Path& file) : file_(file) {
+    /// A file of so many bytes has fewer lines.
+    ObjReader(const Path& file, std::size_t bytes)
+        : file_(file), most_lines_(std::int64_t(std::min<std::size_t>(bytes, limits::vertices))) {
         scene_.name = file.stem().string();
         scene_.materials.push_back({"default", glm::vec4(1.0f), {}});
     }
@@ -166,7 +168,7 @@ class ObjReader {
         std::int64_t value = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         if (error != std::errc{} || end != text.data() + text.size() || value == 0 ||
-            value < -static_cast<std::int64_t>(list.count) || value > std::int64_t{limits::vertices})
+            value < -static_cast<std::int64_t>(list.count) || value > most_lines_)
             refuse(file_, place_,
                    "expected an index of a line " + std::string(list.keyword) +
                        ", from 1 or from -1, found \"" + std::string(text) + "\"; export the file again");
@@ -249,6 +251,7 @@ class ObjReader {
     }
 
     const Path& file_;
+    std::int64_t most_lines_;
     Scene scene_;
     std::string place_, node_, material_, part_node_, part_material_;
     Positions positions_;
@@ -265,6 +268,13 @@ class ObjReader {
     std::uint64_t skipped_ = 0, too_short_ = 0, bad_normals_ = 0, unknown_lines_ = 0;
 };
 
+/// Does a line that ends in a backslash go on in the next? A comment does not, nor a name: it may be a path.
+bool goes_on(std::string_view line) {
+    static const std::set<std::string_view> of_names{"o", "g", "s", "usemtl", "mtllib"};
+    return line.ends_with('\\') && line.find('#') == std::string_view::npos &&
+           !of_names.contains(next_word(line));
+}
+
 /// Calls read(line, number) for every line; one that ends in a backslash goes on in the next.
 template <typename Read>
 void for_each_line(std::string_view text, const Read& read) {
@@ -275,7 +285,7 @@ void for_each_line(std::string_view text, const Read& read) {
         std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size()));
         ++lines;
-        if (line.ends_with('\\')) {
+        if (goes_on(joined.empty() ? line : joined + std::string(line))) {
             line.remove_suffix(1);
             (joined += line) += ' ';
             continue;
@@ -295,7 +305,7 @@ void for_each_line(std::string_view text, const Read& read) {
 Scene load_obj_scene(const Path& file) {
     const Bytes bytes = read_file(file, limits::file_bytes);
     if (bytes.empty()) refuse(file, "file", "is empty; expected a Wavefront OBJ");
-    ObjReader reader(file);
+    ObjReader reader(file, bytes.size());
     for_each_line(text_in(file, bytes),
                   [&](std::string_view line, std::size_t number) { reader.read(line, number); });
     return reader.scene();

@@ -58,6 +58,14 @@ class PlyValues {
         return static_cast<std::uint64_t>(value);
     }
 
+    /// What no element holds; of text without the blanks before it.
+    std::string_view left() const {
+        std::string_view rest = left_;
+        if (format_ == PlyHeader::Format::ascii)
+            rest.remove_prefix(std::min(rest.find_first_not_of(white), rest.size()));
+        return rest;
+    }
+
     /// The length of a list whose values take a byte at least.
     std::uint64_t next_length(PlyType type) { return next_whole(type, left_.size(), "a list's length"); }
 
@@ -151,6 +159,14 @@ class PlyReader {
                 faces(element);
             else
                 others(element);
+        if (const std::string_view left = values_.left(); !left.empty()) {
+            if (header_.format == PlyHeader::Format::ascii)
+                refuse(
+                    file_, "file",
+                    "values stand behind the last element, or a line has more than its element; expected as "
+                    "many as the header says: export the file again");
+            note_count(scene_, left.size(), "bytes behind the last element ignored");
+        }
         if (!scene_.triangles.empty())
             scene_.parts.push_back(
                 {scene_.name, scene_.name, 0, 0, std::uint32_t(scene_.triangles.size()), 0, 0});

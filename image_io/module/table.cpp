@@ -97,6 +97,9 @@ OpenFile* open(const Source& source) {
         if (!file->input->set_ioproxy(file->memory.get())) refuse(file->input->geterror());
     }
     if (!file->input->open(source.path, header, config)) refuse(file->input->geterror());
+    if (const int orientation = header.get_int_attribute("Orientation", 1);
+        source.format == Format::tiff && orientation != 1)
+        refuse("its orientation is " + std::to_string(orientation) + "; expected 1, the top row first");
     return file.release();
 }
 

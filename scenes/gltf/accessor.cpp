@@ -257,12 +257,18 @@ std::uint32_t Corners::index(std::uint32_t corner) const {
 }
 
 void Unroller::check_indices(int accessor, const Elements& elements, std::uint32_t vertex_count) const {
-    if (largest_index(elements) < vertex_count) return;
+    // the largest of the type restarts a strip (glTF 2.0, 3.7.2.1)
+    const std::uint32_t end =
+        std::min(vertex_count, by_index_type(elements, [&]<typename T>(T) -> std::uint32_t {
+                     return std::numeric_limits<T>::max();
+                 }));
+    if (largest_index(elements) < end) return;
     std::size_t bad = 0;
-    while (index_at(elements, bad) < vertex_count) ++bad;
+    while (index_at(elements, bad) < end) ++bad;
     refuse(model_.file, "/accessors/" + std::to_string(accessor),
            "index " + std::to_string(index_at(elements, bad)) + " at " + std::to_string(bad) +
-               "; expected indices below " + std::to_string(vertex_count) + ", the number of vertices");
+               "; expected indices below " + std::to_string(end) +
+               (end < vertex_count ? ", the largest of their type" : ", the number of vertices"));
 }
 
 Corners Unroller::unroll(const gltf::Primitive& primitive, std::uint32_t vertex_count) {

@@ -84,6 +84,12 @@ void set_pose(const LocatedValue& matrix, CalibratedCamera& camera) {
         const nlohmann::json& numbers = matrix.at(i).numbers(4);
         for (int c = 0; c < 4; ++c) row[i][c] = numbers[std::size_t(c)].get<double>();
     }
+    if (rows == 4) {
+        const nlohmann::json& last = matrix.at(3).numbers(4);
+        if (last != nlohmann::json{0, 0, 0, 1})
+            matrix.at(3).fail(
+                "expected [0, 0, 0, 1]; a matrix that is stored by columns is to be transposed");
+    }
     const auto column = [&](int c) { return glm::dvec3{row[0][c], row[1][c], row[2][c]}; };
     camera.right = column(0);
     camera.down = -column(1);

@@ -384,6 +384,21 @@ TEST_F(FrameFile, ReadsChannelsOfSeveralParts) {
     expect_same(read_frame(file("parts.exr")), wide_frame());
 }
 
+TEST_F(FrameFile, RefusesAChannelOfTwoParts) {
+    write_two_images(file("parts.exr"), "openexr", wide_frame(), {"id", "id"});
+    EXPECT_THAT(refusal_to_read(file("parts.exr")), HasSubstr("channel 'id' stands in several parts"));
+}
+
+TEST_F(FrameFile, RefusesATiffWhoseRowsBeginBelow) {
+    OIIO::ImageSpec spec{4, 2, 1, OIIO::TypeUInt32};
+    spec.attribute("Orientation", 4);
+    const auto output = OIIO::ImageOutput::create("tiff");
+    ASSERT_TRUE(output->open(file("turned.tif").string(), spec)) << output->geterror();
+    ASSERT_TRUE(output->write_image(OIIO::TypeUnknown, std::vector<std::uint32_t>(8).data()));
+    ASSERT_TRUE(output->close());
+    EXPECT_THAT(refusal_to_read(file("turned.tif")), HasSubstr("its orientation is 4; expected 1"));
+}
+
 TEST_F(FrameFile, ReadsPagesOfTiff) {
     write_two_images(file("pages.tif"), "tiff", wide_frame(), {"Y", "Y"});
     expect_same(read_frame(file("pages.tif")), wide_frame());

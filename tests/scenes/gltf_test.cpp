@@ -57,6 +57,16 @@ Triangles triangles_of_indices(const std::vector<T>& indices, int component_type
     return load_gltf(gltf.write(folder)).scene.triangles;
 }
 
+/// The largest index of its type restarts a strip where a graphics card draws it.
+TEST(Gltf, HasNoIndexThatRestartsAStrip) {
+    const TestFolder folder;
+    WrittenGltf gltf;
+    gltf.add_vec3(std::vector<float>(3 * 256));
+    gltf.primitive()["indices"] = gltf.add_indices<std::uint8_t>({0, 1, 254, 255}, 5121);
+    EXPECT_NE(refusal_of(gltf.write(folder)).find("index 255 at 3; expected indices below 255"),
+              std::string::npos);
+}
+
 TEST(Gltf, ReadsIndicesOfEveryWidth) {
     const Triangles expected{{4, 3, 2}, {1, 0, 2}};
     EXPECT_EQ(triangles_of_indices<std::uint8_t>({4, 3, 2, 1, 0, 2}, 5121), expected);

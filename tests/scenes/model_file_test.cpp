@@ -249,6 +249,26 @@ TEST(Obj, JoinsLinesThatGoOn) {
     EXPECT_EQ(scene.triangles.size(), 1u);
 }
 
+/// A comment and a name may end like a folder.
+TEST(Obj, JoinsNoLinesOfCommentsAndNames) {
+    const TestFolder folder;
+    const Scene scene = load_model_scene(folder.write("a.obj", R"(# from C:\models\
+v 0 0 0
+v 1 0 0 # left \
+v 0 1 0
+g C:\a\
+f 1 2 3
+usemtl a\
+f 1 2 3
+)"));
+    EXPECT_EQ(scene.vertices.position_world.size(), 3u);
+    EXPECT_EQ(scene.triangles.size(), 2u);
+}
+
+TEST(Obj, TakesNoMemoryForAnIndexThatNoFileOfItsSizeHas) {
+    expect_refusal("a.obj", "f 1 2 268435456\n", "line 1: expected an index of a line v");
+}
+
 TEST(Obj, NamesTheLineOfWhatIsBroken) {
     const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     expect_refusal("a.obj", "v 0 0 0\nv 0 nan 0\n",
@@ -331,6 +351,13 @@ TEST(Ply, UnrollsTheStripsOfStanfordsFiles) {
         ASSERT_EQ(scene.parts.size(), 1u);
         EXPECT_EQ(scene.parts[0].triangle_count, 4u);
     }
+}
+
+TEST(Ply, HasNoValuesBehindItsElements) {
+    const std::string whole = strips_of("ascii", "int") + "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 0\n0\n";
+    const TestFolder folder;
+    EXPECT_TRUE(load_model_scene(folder.write("a.ply", whole + "\n \n")).triangles.empty());
+    expect_refusal("a.ply", whole + "3 0 1 2\n", "file: values stand behind the last element");
 }
 
 TEST(Ply, NamesTheStripThatIsBroken) {

@@ -296,6 +296,9 @@ TEST_F(ViewImport, WhatIsNoPinholeOfNerfsIsRefused) {
     with("frames", json::array(), "expected at least one image");
     with("frames", {{{"file_path", "a"}, {"transform_matrix", {1, 2}}}},
          "transform_matrix: expected four rows");
+    json by_columns = nerf_frame(some_pinhole());
+    by_columns["transform_matrix"][3] = {1, 2, 3, 1};
+    with("frames", {by_columns}, "transform_matrix/3: expected [0, 0, 0, 1]");
     json without = good;
     without.erase("fl_x");
     expect_refusal([&] { nerf(without); }, "expected \"fl_x\" or \"camera_angle_x\"");
