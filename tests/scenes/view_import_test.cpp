@@ -298,7 +298,7 @@ TEST_F(ViewImport, WhatIsNoPinholeOfNerfsIsRefused) {
          "transform_matrix: expected four rows");
     json by_columns = nerf_frame(some_pinhole());
     by_columns["transform_matrix"][3] = {1, 2, 3, 1};
-    with("frames", {by_columns}, "transform_matrix/3: expected [0, 0, 0, 1]");
+    with("frames", json::array({by_columns}), "transform_matrix/3: expected [0, 0, 0, 1]");
     json without = good;
     without.erase("fl_x");
     expect_refusal([&] { nerf(without); }, "expected \"fl_x\" or \"camera_angle_x\"");
