@@ -32,13 +32,13 @@ void refuse_unjudgeable(const Camera& camera, const Precision& precision) {
     if (const std::string why = unjudgeable(camera, precision); !why.empty()) throw FrameError(why);
 }
 
-/// Nobody knows where one clips of which nothing is known.
+/// One of which nothing is known is taken to clip as hardware does: who clips at the sides declares it.
 std::vector<Window> clip_windows_of(const View& view, const Precision& precision) {
     const auto* raster = std::get_if<RasterPrecision>(&precision);
     if (raster != nullptr && raster->edge_functions != EdgeFunctions::homogeneous)
         return {clip_window_of(view, raster->clipping)};
     if (!std::holds_alternative<BoundedPrecision>(precision)) return {};
-    return {view.camera.window, clip_window_of(view, Clipping::guard_band)};
+    return {clip_window_of(view, Clipping::guard_band)};
 }
 
 /// A depth is rounded to the nearest step, and that to float32.

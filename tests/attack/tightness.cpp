@@ -116,7 +116,8 @@ void Tightness::plant_labels(const Trial& trial) {
                                 .are_absent = true};
     const auto judged = [&](const Frame& frame, const Precision& promise, const TriangleLabels& by) {
         const Frame said = with_labels(frame, by);
-        return trial.judge_of(with_triangles(s.scene, s.view, {said, promise}, by, trial.reference()), promise);
+        return trial.judge_of(with_triangles(s.scene, s.view, {said, promise}, by, trial.reference()),
+                              promise);
     };
     const WrongPlaces wrong(trial, share, Sharing::alike);
     const std::vector<double> needs = wrong.needs();

@@ -233,25 +233,27 @@ TEST(HeldToThePromise, ADiagonalMayEndWhereverFarMayCutBetweenTwoCorners) {
 }
 
 /// The image's sides leave a pentagon of the triangle. Where the right one meets the upper one a diagonal
-/// begins that passes 1/2 px beside the centre of pixel (6, 4); less, where the sides cut within eps.
+/// begins that passes 1/2 px beside the centre of pixel (6, 4), and at 0.261 px where the sides cut within
+/// that.
 TEST(HeldToThePromise, ATriangleThatTheSidesCutHasAGapAlongADiagonal) {
     TestScene t(Projection::parallel, 8, 8, {{{{-8, -8, 4}, {16, -8, 4}, {16, 24, 4}}}});
     answer(t.reference, 6, 4, 0, 4);
-    const auto class_by = [&](const Precision& declared) {
+    const auto class_by = [&](const RasterPrecision& declared) {
         t.candidate_precision = declared;
         return t.class_at(6, 4);
     };
-    BoundedPrecision bounded{.eps_px = 0.2609, .depth_relative = 1e-9, .watertight = false};
-    EXPECT_TRUE(passes(class_by(bounded)));
-    bounded.eps_px = 0.2607;
-    EXPECT_EQ(class_by(bounded), PixelClass::hole);
-
-    RasterPrecision raster{.subpixel_bits = 0, .watertight = false, .clipping = Clipping::view_volume};
-    EXPECT_TRUE(passes(class_by(raster)));
-    raster.clipping = Clipping::guard_band;
-    EXPECT_EQ(class_by(raster), PixelClass::hole) << "it lies within the guard band";
-    raster = {.subpixel_bits = 0, .clipping = Clipping::view_volume};
-    EXPECT_EQ(class_by(raster), PixelClass::hole) << "a watertight one has no gap";
+    constexpr RasterPrecision coarse{
+        .subpixel_bits = 0, .watertight = false, .clipping = Clipping::view_volume};
+    EXPECT_TRUE(passes(class_by(coarse)));
+    RasterPrecision other = coarse;
+    other.subpixel_bits = 1;
+    EXPECT_EQ(class_by(other), PixelClass::hole) << "corners move by 1/4 px";
+    other = coarse;
+    other.clipping = Clipping::guard_band;
+    EXPECT_EQ(class_by(other), PixelClass::hole) << "it lies within the guard band";
+    other = coarse;
+    other.watertight = true;
+    EXPECT_EQ(class_by(other), PixelClass::hole) << "a watertight one has no gap";
 }
 
 /// Whichever side cuts a little of its corner there, what is left has diagonals beside its edges. Along a
@@ -261,8 +263,7 @@ TEST(HeldToThePromise, ATriangleWithCornersOnTheSidesHasNoGapWithin) {
         along(Projection::parallel, 8, 8, {{{{0, 0, 4}, {8, 0, 4}, {8, 8, 4}}}});
     for (TestScene* scene : {&t, &along}) {
         answer(scene->reference, 5, 4, 0, 4);
-        scene->candidate_precision =
-            BoundedPrecision{.eps_px = 0.01, .depth_relative = 1e-9, .watertight = false};
+        scene->candidate_precision = RasterPrecision{.watertight = false, .clipping = Clipping::view_volume};
     }
     EXPECT_EQ(t.class_at(5, 4), PixelClass::hole);
     EXPECT_TRUE(passes(along.class_at(5, 4)));

@@ -27,8 +27,12 @@ struct FieldFrame {
     Precision declared = RasterPrecision{.transform = Arithmetic::float64};
 };
 
+/// The yard as another camera sees it.
+std::function<Shown()> seen_by(const View& view, const std::function<void(Camera&)>& change);
+
 std::vector<FieldFrame> frames_of_drawing();
 std::vector<FieldFrame> frames_of_place();
+std::vector<FieldFrame> frames_of_conventions();  ///< those of place hold them
 std::vector<FieldFrame> frames_of_depth();
 std::vector<FieldFrame> frames_of_depth_pictures();
 std::vector<FieldFrame> frames_of_resolves();

@@ -102,6 +102,12 @@ View tight_view() {
     return view;
 }
 
+View endless_view() {
+    View view = view_of_yard();
+    view.camera.far_depth = HUGE_VAL;
+    return view;
+}
+
 /// So near that some of it lies nearer than 1.
 View view_near_the_yard() {
     View view = view_of_yard();
@@ -435,6 +441,8 @@ std::vector<FieldFrame> frames_of_depth_pictures() {
         named("millimetres_of_16_bits", "depth is in other units",
               "depth in a PNG of 16 bits, not scaled back", view,
               [](const Seen& s) { return std::round(s.depth * 1000); }),
+        named("millimetres_of_an_endless_view", "depth is in other units", "glTF's camera without zfar",
+              endless_view(), [](const Seen& s) { return std::round(s.depth * 1000); }),
         named("disparity_of_16_levels", "depth is a disparity", "OpenCV's StereoSGBM: 16 levels a pixel",
               view, [](const Seen& s) { return std::round(16 * 573 / s.depth) / 16; }),
         named("bfloat16", "depth is a float of 8 bits", "autocast of a neural renderer", view,

@@ -39,12 +39,13 @@ double told_step(const DiagnosisInput& input) {
     if (told.size() < least_levels) return 0;
     std::vector<double> steps{1, 0.1, 0.01, 0.001, 0.0001, 1.0 / 16, 1.0 / 256};
     for (const double full : {1.0, input.view.camera.far_depth})
-        for (const double levels : {255, 65535}) steps.push_back(full / levels);
+        for (const double levels : {255, 65535})
+            if (std::isfinite(full)) steps.push_back(full / levels);
     std::ranges::sort(steps, std::greater());
     const auto found = std::ranges::find_if(steps, [&](double step) {
         return std::ranges::all_of(told, [&](double depth) { return is_whole(depth / step); });
     });
-    return found == steps.end() || !std::isfinite(*found) ? 0 : *found;
+    return found == steps.end() ? 0 : *found;
 }
 
 void allow_steps(Hypothesis& hypothesis, double step) {
