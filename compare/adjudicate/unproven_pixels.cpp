@@ -40,7 +40,7 @@ class CoarseOutline {
           first_(
               seen_at(ViewRay<double>(view_, 0, 0), {frames.reference.bounds, p_world_, in_view_.extent})) {
         box_ = box;
-        if (is_shown) box_.widen(std::min(reference_.most_eps_px() + 1 + beyond_px(), largest_side_px));
+        if (is_shown) box_.widen(reference_.most_eps_px() + 1);
         box_ = {std::max(box_.left - 0.5, 0.0), std::max(box_.top - 0.5, 0.0),
                 std::min(box_.right - 0.5, view_.width - 1.0),
                 std::min(box_.bottom - 0.5, view_.height - 1.0)};
@@ -54,8 +54,7 @@ class CoarseOutline {
         const auto is_finer_at = [&](double inverse_depth) {
             return reference.at(inverse_depth).eps_px <= candidate.at(inverse_depth).eps_px;
         };
-        const bool is_finer =
-            is_finer_at(here.low) && is_finer_at(here.high) && !(beyond_px() > candidate_.eps_base_px);
+        const bool is_finer = is_finer_at(here.low) && is_finer_at(here.high);
         eps_px_ = reference.at(here.high).eps_px;
         if (reference_.may_be_missing && !candidate_.may_be_missing) mark_band({0, 0, 0}, 0, pixels);
         for (const Affine<double>& edge : first_.edges)
@@ -66,19 +65,9 @@ class CoarseOutline {
     }
 
   private:
-    static constexpr double largest_side_px = 32768;
-
     struct Span {
         double low, high;
     };
-    /// How far beyond its corners the reference may show the triangle by rounding; 0 where the candidate may,
-    /// too.
-    double beyond_px() const {
-        const auto rounding = [](const TriangleBounds& b) { return std::ranges::max(b.edge_rounding_px); };
-        return rounding(candidate_) >= rounding(reference_)
-                   ? 0
-                   : beyond_corners_px(first_.edges, reference_.most_eps_px());
-    }
     /// What an edge may be off by, with our own error anywhere in the image.
     double reach_of(const Affine<double>& edge) const {
         return eps_px_ * (std::abs(edge.a) + std::abs(edge.b)) +
@@ -162,6 +151,29 @@ bool holds_a_centre(const Box& box) {
     return std::floor(box.right - 0.5) >= box.left - 0.5 && std::floor(box.bottom - 0.5) >= box.top - 0.5;
 }
 
+/// Marks the pixels at which the reference shows one of these triangles farther beyond its corners than the
+/// candidate displaces it: by rounding, which proves nothing unless the candidate's edges err as much.
+void mark_beyond_corners(const FramePair& frames, const std::vector<std::uint8_t>& is_thin,
+                         Plane<std::uint8_t>& pixels) {
+    if (std::ranges::count(is_thin, 1) == 0) return;
+    const BoxProjection project(frames.view);
+    const auto rounding = [](const TriangleBounds& b) { return std::ranges::max(b.edge_rounding_px); };
+    tbb::parallel_for(0, frames.view.height, [&](int y) {
+        for (int x = 0; x < frames.view.width; ++x) {
+            const auto i = std::size_t(frames.reference.frame.primitive.at(x, y));
+            if (i >= is_thin.size() || !is_thin[i]) continue;
+            const CornersWorld p_world = corners_of(frames.scene, std::uint32_t(i));
+            const TriangleBounds candidate = frames.candidate.bounds.of(p_world);
+            Box box = project(p_world);
+            box.widen(candidate.most_eps_px());
+            const glm::dvec2 at = sampled_at(frames.view, x, y);
+            const bool is_beyond = at.x < box.left || at.x > box.right || at.y < box.top || at.y > box.bottom;
+            if (is_beyond && rounding(candidate) < rounding(frames.reference.bounds.of(p_world)))
+                pixels.at(x, y) = 1;
+        }
+    });
+}
+
 /// Is it the reference's own renderer that is judged? Then all bits are the same.
 bool is_judged_by_itself(const FramePair& frames) {
     const Frame &candidate = frames.candidate.frame, &reference = frames.reference.frame;
@@ -180,19 +192,21 @@ Plane<std::uint8_t> find_unproven_pixels(const FramePair& frames) {
     Plane<std::uint8_t> is_unproven(Resolution{frames.view.width, frames.view.height}, may_have_gaps);
     const std::size_t count = frames.scene.triangles.size();
     const std::vector<std::uint8_t> is_shown = shown_by(frames.reference.frame, count);
+    std::vector<std::uint8_t> is_thin(count);
     const ViewRay<double> first_pixel(frames.view, 0, 0);
     tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
         const CornersWorld p_world = corners_of(frames.scene, std::uint32_t(i));
         const Box box = project(p_world);
         if (box.is_empty() || !(is_shown[i] || holds_a_centre(box))) return;
         const TriangleBounds bounds = frames.reference.bounds.of(p_world);
-        const bool is_thin = bounds.may_be_shown_by_rounding() &&
-                             beyond_corners_px(edges_of(first_pixel, corners<double>(p_world)),
-                                               bounds.most_eps_px()) > fine_px;
-        if (!(bounds.most_eps_px() <= fine_px) || is_thin || bounds.may_be_missing ||
+        is_thin[i] = is_shown[i] && bounds.may_be_shown_by_rounding() &&
+                     beyond_corners_px(edges_of(first_pixel, corners<double>(p_world)),
+                                       bounds.most_eps_px()) > fine_px;
+        if (!(bounds.most_eps_px() <= fine_px) || bounds.may_be_missing ||
             bounds.may_be_clipped(frames.view.camera))
             CoarseOutline(frames, std::uint32_t(i), box, is_shown[i] != 0).mark(is_unproven);
     });
+    mark_beyond_corners(frames, is_thin, is_unproven);
     return is_unproven;
 }
 
