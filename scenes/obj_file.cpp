@@ -269,10 +269,11 @@ class ObjReader {
 };
 
 /// Does a line that ends in a backslash go on in the next? A comment does not, nor a name: it may be a path.
-bool goes_on(std::string_view line) {
+/// `begin` is the first of the lines that were joined.
+bool goes_on(std::string_view begin, std::string_view line) {
     static const std::set<std::string_view> of_names{"o", "g", "s", "usemtl", "mtllib"};
     return line.ends_with('\\') && line.find('#') == std::string_view::npos &&
-           !of_names.contains(next_word(line));
+           !of_names.contains(next_word(begin));
 }
 
 /// Calls read(line, number) for every line; one that ends in a backslash goes on in the next.
@@ -285,7 +286,7 @@ void for_each_line(std::string_view text, const Read& read) {
         std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size()));
         ++lines;
-        if (goes_on(joined.empty() ? line : joined + std::string(line))) {
+        if (goes_on(joined.empty() ? line : joined, line)) {
             line.remove_suffix(1);
             (joined += line) += ' ';
             continue;
