@@ -1,6 +1,7 @@
 #include "filters/commands/check_power.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -118,6 +119,33 @@ double wide_share(const Conformance& found, const glm::dvec3& range) {
     return double(wide) / double(std::max<std::uint64_t>(found.judged, 1));
 }
 
+/// The promise without what follows from the scene: roundings on the way from its corners to coordinates.
+FilterPrecision without_geometry(FilterPrecision promise) {
+    promise.arithmetic_bits = promise.coordinate_bits = FilterPrecision{}.arithmetic_bits;
+    promise.displacement_px = 0;
+    return promise;
+}
+
+/// A method that somebody may have drawn by instead, without noticing.
+std::string simpler_method(const std::string& method) {
+    constexpr std::array<std::pair<std::string_view, const char*>, 12> by_beginning{
+        {{"nearest", "bilinear"},
+         {"bilinear", "nearest"},
+         {"mip-nearest", "nearest"},
+         {"trilinear-", "mip-nearest-bilinear"},
+         {"brilinear", "mip-nearest-bilinear"},
+         {"bicubic", "bilinear"},
+         {"bspline", "bilinear"},
+         {"lanczos2", "bilinear"},
+         {"gaussian", "bilinear"},
+         {"ewa-", "aniso-d3d11"},
+         {"sat-quad", "sat-affine"},
+         {"sat-affine", "sat-moment"}}};
+    const auto found =
+        std::ranges::find_if(by_beginning, [&](const auto& row) { return method.starts_with(row.first); });
+    return found == by_beginning.end() ? "trilinear-gl" : found->second;
+}
+
 bool is_refused_by_chance(const Picture& picture, const selftest::ClaimedReference& reference) {
     return reference.is_stochastic() && stochastic_conformance(picture, [&](int x, int y) {
                                             return reference.draws_at(x, y);
@@ -135,17 +163,17 @@ std::vector<PlantedDefect> planted_defects(const FilterClaim& claim) {
                                    {selftest::biased_lod("LOD + " + number(above), above)},
                                    {selftest::biased_lod("LOD - " + number(below), -below)}};
     const auto add = [&](const char* name, const std::function<void(FilterClaim&)>& change) {
-        all.push_back({{.name = name, .of_claim = change}, false});
+        all.push_back({{.name = name, .of_claim = change}, DefectKind::other});
     };
     if (claim.derivatives == texture::Derivatives::analytic)
         add("steps by 2 x 2 differences",
             [](FilterClaim& c) { c.derivatives = texture::Derivatives::quad_differences; });
-    if (claim.method.starts_with("trilinear-"))
-        add("one level alone", [](FilterClaim& c) { c.method = "mip-nearest-bilinear"; });
     if (claim.options.max_anisotropy > 1)
         add("half the limit of anisotropy", [](FilterClaim& c) { c.options.max_anisotropy /= 2; });
-    if (claim.method.starts_with("ewa-"))
-        add("aniso-d3d11 instead", [](FilterClaim& c) { c.method = "aniso-d3d11"; });
+    const std::string simpler = simpler_method(claim.method);
+    all.push_back(
+        {{.name = simpler + " instead", .of_claim = [simpler](FilterClaim& c) { c.method = simpler; }},
+         DefectKind::simpler_method});
     return all;
 }
 
@@ -169,13 +197,17 @@ CheckPower power_of(const FilterFixture& fixture, const FilterClaim& claim, cons
         have_pixels_outside(suspects.pictures, reference, {.code_error = claim.precision.code_error});
     is_unseen.flip();
     suspects.take(is_unseen);
-    for (const PlantedDefect& defect : suspects.defects) {
-        power.admitted.push_back(defect.change.name);
-        if (defect.is_standard) power.unproven.push_back(defect.change.name);
-    }
+    const std::vector<bool> seen_without_geometry =
+        have_pixels_outside(suspects.pictures, reference, without_geometry(claim.precision));
     std::vector<Picture> unproven;
-    for (std::size_t i = 0; i < suspects.defects.size(); ++i)
-        if (suspects.defects[i].is_standard) unproven.push_back(suspects.pictures[i]);
+    for (std::size_t i = 0; i < suspects.defects.size(); ++i) {
+        const auto& [change, kind] = suspects.defects[i];
+        power.admitted.push_back(change.name);
+        if (kind == DefectKind::other) continue;
+        if (kind == DefectKind::simpler_method && !seen_without_geometry[i]) continue;
+        power.unproven.push_back(change.name);
+        unproven.push_back(suspects.pictures[i]);
+    }
     if (!unproven.empty()) power.settings = settings_that_prove(unproven, fixture, claim);
     return power;
 }

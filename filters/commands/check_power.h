@@ -10,12 +10,18 @@
 
 namespace zproof {
 
+/// What it says where a check would not refuse a defect that shows.
+enum class DefectKind {
+    beyond_promise,  ///< Half a texel or level beyond what is promised of places and the LOD: nothing is
+                     ///< proved of them.
+    simpler_method,  ///< Nothing is proved of the method, unless the promise itself admits the simpler one.
+    other            ///< Nothing: it may be as small as the picture makes it.
+};
+
 /// A defect that a picture could have had.
 struct PlantedDefect {
     selftest::DefinitionChange change;
-    /// Half a texel or level beyond what the promise says of places and of the LOD in so many words. A check
-    /// that would not refuse such a defect proves nothing of them.
-    bool is_standard = true;
+    DefectKind kind = DefectKind::beyond_promise;
 };
 
 std::vector<PlantedDefect> planted_defects(const selftest::FilterClaim& claim);
@@ -24,12 +30,12 @@ struct CheckPower {
     std::vector<std::string> refused{};  ///< defects with which the picture would have failed
     std::vector<std::string>
         admitted{};  ///< defects with which it would have passed as well, though they show
-    std::vector<std::string> unproven{};  ///< the standard ones among these
+    std::vector<std::string> unproven{};  ///< those among these for which it proves nothing
     std::vector<std::string>
         settings{};         ///< promises under which none would be unproven; empty where none helps
     double wide_share = 0;  ///< of pixels whose permitted range is wider than 1/8 of the textures' range
 
-    /// Did the picture show anything by which a standard defect is told? Nothing is unproven then, either.
+    /// Did the picture show anything by which a defect is told? Nothing is unproven then, either.
     bool proves_something() const { return unproven.empty() && !refused.empty(); }
 };
 

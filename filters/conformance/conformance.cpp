@@ -57,6 +57,12 @@ double slack_of(const LinearRgb& colour, const PermittedColours& permitted) {
     return slack_in(colour, nearest_range(colour, permitted));
 }
 
+LinearRgb reflected(const LinearRgb& colour, const PermittedColours& permitted) {
+    const ColourRange& near = nearest_range(colour, permitted);
+    const glm::dvec3 twice = near.low + near.high;
+    return {float(twice.x - colour.r), float(twice.y - colour.g), float(twice.z - colour.b)};
+}
+
 std::vector<FilterPixel> some_pixels(const Conformance& found, float least_slack) {
     constexpr std::size_t most = 400;
     std::vector<FilterPixel> all;

@@ -53,6 +53,9 @@ double width_of(const PermittedColours& permitted);
 /// middle| / half-width, the largest over the channels. Infinite where the colour is not finite.
 double slack_of(const LinearRgb& colour, const PermittedColours& permitted);
 
+/// As far from the middle of what is permitted, on the other side.
+LinearRgb reflected(const LinearRgb& colour, const PermittedColours& permitted);
+
 /// Some of the pixels with at least that slack, at most 400, taken evenly in raster order.
 std::vector<FilterPixel> some_pixels(const Conformance& found, float least_slack);
 

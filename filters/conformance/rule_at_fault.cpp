@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -64,13 +63,10 @@ RelaxationQuery query_of(const Picture& picture, const std::vector<FilterPixel>&
     return query;
 }
 
-/// Turns the sign of all errors: each colour is reflected about the middle of what is permitted.
-RelaxationQuery reflected(RelaxationQuery query) {
-    for (auto& [at, colour] : query.pixels) {
-        const ColourRange right = nearest_range(colour, query.reference(at.x, at.y, query.declared));
-        const glm::dvec3 twice = right.low + right.high;
-        colour = {float(twice.x - colour.r), float(twice.y - colour.g), float(twice.z - colour.b)};
-    }
+/// Turns the sign of all errors.
+RelaxationQuery opposite_of(RelaxationQuery query) {
+    for (auto& [at, colour] : query.pixels)
+        colour = reflected(colour, query.reference(at.x, at.y, query.declared));
     return query;
 }
 
@@ -91,9 +87,20 @@ RuleRelaxation ask(const RelaxationQuery& q, FilterRule rule, double bits) {
     return relaxation;
 }
 
-/// How far a rule gives way: errors of four texels or levels. Weights of one bit are any mean of what is
-/// read.
-int fewest_bits(FilterRule rule) { return rule == FilterRule::weights ? 1 : -2; }
+/// How far a rule gives way: errors of a texel, of four texels' lengths or levels, of a quarter of a colour.
+/// Weights of one bit are any mean of what is read.
+int fewest_bits(FilterRule rule) {
+    switch (rule) {
+        case FilterRule::coordinates:
+            return 0;
+        case FilterRule::weights:
+            return 1;
+        case FilterRule::sums:
+            return 2;
+        default:
+            return -2;
+    }
+}
 
 /// Any mean of what is read keeps to weights of so few bits: also that of wrong texels, or by a wrong factor.
 bool promises_nothing(const RuleRelaxation& relaxation) {
@@ -106,6 +113,26 @@ bool is_any_error(const RuleRelaxation& relaxation) {
     const FilterRule rule = relaxation.rule;
     return (rule == FilterRule::coordinates || rule == FilterRule::footprint || rule == FilterRule::taps) &&
            relaxation.explained_reflected >= all_of_them;
+}
+
+bool explains_all(const RuleRelaxation& relaxation) {
+    return relaxation.explained >= all_of_them && relaxation.is_everywhere;
+}
+
+/// Held to the pixels that were not asked about as well, to fewer bits where it must be.
+RuleRelaxation held_to_all(RuleRelaxation relaxation, const Picture& picture, const RelaxationQuery& q) {
+    const auto has_pixels_outside = [&]() -> bool {
+        const FilterPrecision precision = relaxed(q.declared, relaxation.rule, relaxation.bits);
+        return have_pixels_outside({&picture, 1}, q.reference, precision)[0];
+    };
+    while (has_pixels_outside()) {
+        if (relaxation.bits <= fewest_bits(relaxation.rule)) {
+            relaxation.is_everywhere = false;
+            break;
+        }
+        relaxation = ask(q, relaxation.rule, relaxation.bits - 1);
+    }
+    return relaxation;
 }
 
 /// Numbers by which what is permitted has to be multiplied to hold what was found.
@@ -145,18 +172,20 @@ bool is_right(const FactorsOfChannels& factors) {
     return std::ranges::all_of(factors, [](const Factors& f) { return f.least <= 1 && f.greatest >= 1; });
 }
 
-/// One factor a channel that holds at right pixels and wrong ones: found where one thing is permitted, and
-/// held to the others. Nothing where there is none.
-std::optional<RuleRelaxation> factor_of(const RelaxationQuery& q) {
+/// One factor a channel that holds at every pixel: found where one thing is permitted, and held to the
+/// others. Nothing where there is none.
+std::optional<RuleRelaxation> factor_of(const Picture& picture, const PixelReference& reference,
+                                        const FilterPrecision& declared) {
     FactorsOfChannels factors;
     std::vector<std::pair<LinearRgb, PermittedColours>> others;
-    for (const auto& [at, colour] : q.pixels) {
-        const PermittedColours permitted = q.reference(at.x, at.y, q.declared);
-        if (permitted.size() > 1)
-            others.emplace_back(colour, permitted);
-        else
-            factors = both(factors, colour, permitted.front());
-    }
+    for (int y = 0; y < picture.size().height; ++y)
+        for (int x = 0; x < picture.size().width && !is_empty(factors); ++x) {
+            const PermittedColours permitted = reference(x, y, declared);
+            if (permitted.size() > 1)
+                others.emplace_back(picture.at(x, y), permitted);
+            else
+                factors = both(factors, picture.at(x, y), permitted.front());
+        }
     const auto holds = [&](const auto& other) {
         return std::ranges::any_of(other.second, [&](const ColourRange& permitted) {
             return !is_empty(both(factors, other.first, permitted));
@@ -217,23 +246,22 @@ std::string name_of(FilterRule rule) {
 std::vector<RuleRelaxation> rules_at_fault(const Picture& picture, const Conformance& found,
                                            const PixelReference& reference,
                                            const FilterPrecision& precision) {
-    std::vector<FilterPixel> pixels = some_pixels(found, std::nextafter(1.0f, 2.0f));
+    const std::vector<FilterPixel> pixels = some_pixels(found, std::nextafter(1.0f, 2.0f));
     if (pixels.empty()) return {};
     const RelaxationQuery query = query_of(picture, pixels, reference, precision),
-                          opposite = reflected(query);
+                          opposite = opposite_of(query);
     std::vector<RuleRelaxation> relaxations;
-    std::ranges::copy(some_pixels(found, 0), std::back_inserter(pixels));
-    if (const auto factor = factor_of(query_of(picture, pixels, reference, precision)))
-        relaxations.push_back(*factor);
+    if (const auto factor = factor_of(picture, reference, precision)) relaxations.push_back(*factor);
     for (const FilterRule rule : {FilterRule::coordinates, FilterRule::footprint, FilterRule::lod,
                                   FilterRule::weights, FilterRule::taps, FilterRule::sums}) {
         RuleRelaxation relaxation = least_relaxation(query, rule);
         if (relaxation.explained == 0) continue;
+        if (explains_all(relaxation)) relaxation = held_to_all(relaxation, picture, query);
         relaxation.explained_reflected = ask(opposite, rule, relaxation.bits).explained;
         relaxations.push_back(relaxation);
     }
     const auto rank = [](const RuleRelaxation& relaxation) {
-        if (relaxation.explained < all_of_them) return 2;
+        if (!explains_all(relaxation)) return 2;
         return relaxation.rule == FilterRule::sums ? 1 : 0;
     };
     std::ranges::stable_sort(relaxations, [&](const RuleRelaxation& a, const RuleRelaxation& b) {
@@ -247,7 +275,7 @@ std::optional<RuleRelaxation> rule_told(const std::vector<RuleRelaxation>& rules
     std::optional<RuleRelaxation> told, any_error;
     for (const RuleRelaxation& rule : rules) {
         if (rule.rule == FilterRule::factor) return rule;
-        if (rule.explained < all_of_them) continue;
+        if (!explains_all(rule)) continue;
         std::optional<RuleRelaxation>& place = rule.rule == FilterRule::sums ? any_error : told;
         if (place) return {};
         place = rule;

@@ -30,20 +30,21 @@ struct RuleRelaxation {
     double bits = 0;                 ///< to which the rule would have to hold; below 0: several units
     double explained = 0;            ///< share of the wrong pixels asked about
     double explained_reflected = 0;  ///< the same of errors of the other sign
+    bool is_everywhere = true;       ///< Does it explain the pixels that were not asked about, too?
     double permissive = 0;           ///< mean width of what is permitted then: the cost of the explanation
     glm::dvec3 times{1};             ///< of FilterRule::factor, which has no bits: by channel
 };
 
 /// Every rule that explains something, the cheapest explanation first; of up to 400 wrong pixels, evenly
-/// taken.
+/// taken. What explains all of these is held to the whole picture.
 std::vector<RuleRelaxation> rules_at_fault(const Picture& picture, const Conformance& found,
                                            const PixelReference& reference, const FilterPrecision& precision);
 
-/// A factor that explains the whole picture. Else the rule that explains every wrong pixel asked about, where
-/// no other one does however far it gives way, and at a lower cost than any error of that size; nothing where
-/// several do, or where places would have to move and could make the opposite errors as well. Texels and
-/// sums, which bound any error, count only where no other rule does. Weights are not told where nothing less
-/// than any mean of what is read explains the pixels.
+/// A factor that explains the whole picture. Else the rule that explains it, where no other one does however
+/// far it gives way, and at a lower cost than any error of that size; nothing where several do, or where
+/// places would have to move and could make the opposite errors as well. Texels and sums, which bound any
+/// error, count only where no other rule does. Weights are not told where nothing less than any mean of what
+/// is read explains the pixels.
 std::optional<RuleRelaxation> rule_told(const std::vector<RuleRelaxation>& rules);
 
 }  // namespace zproof

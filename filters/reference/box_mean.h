@@ -2,6 +2,8 @@
 /// the filter reference's own.
 #pragma once
 
+#include <limits>
+
 #include "filters/reference/interval_image.h"
 
 namespace zproof::oracle::filter_reference {
@@ -13,7 +15,8 @@ struct Box {
 
 class BoxMean {
   public:
-    BoxMean(const texture::LinearImage& image, const WrapRules& wrap);
+    /// `more_texels`: a hypothesis, by how many a box ends beyond what its area says, in u and v.
+    BoxMean(const texture::LinearImage& image, const WrapRules& wrap, const glm::ivec2& more_texels);
 
     /// All means that the box may have, and what sums stored at the unit 2^-sum_bits may cost.
     ColourRange over(const Box& stated, const FilterPrecision& precision) const;
@@ -27,8 +30,9 @@ class BoxMean {
 
     int width_, height_;
     WrapRules wrap_;
+    glm::dvec2 more_texels_;
     std::vector<Sum> sums_;
-    glm::dvec3 spread_{0};     ///< greatest less least texel
+    glm::dvec3 least_{std::numeric_limits<double>::infinity()}, most_{-least_};  ///< texel
     glm::dvec3 quantized_{0};  ///< how far a texel may lie from its multiple
 };
 

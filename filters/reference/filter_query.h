@@ -37,7 +37,8 @@ struct Settings {
     double texel_bits = 24;  ///< unit roundoff of levels above 0
     LevelFormat format = LevelFormat::float32;
     Decoding decoding = Decoding::before_filtering;
-    int more_taps = 0;  ///< along a line than the definition has
+    int more_taps = 0;             ///< along a line than the definition has
+    glm::ivec2 more_texels{0, 0};  ///< that a summed box reaches to the right and down than its area has
     /// Whose triangles show the texture, its image of this index; null: not known.
     const Scene* scene = nullptr;
     int image = 0;

@@ -125,7 +125,7 @@ FilterReference::FilterReference(const Scene& scene, const View& view, const Def
     for (const Material& material : scene.materials) {
         const Texture& texture = material.base_color;
         FilterSettings own = settings;
-        own.wrap = {texture.sampler.wrap_u, texture.sampler.wrap_v};
+        own.wrap.u = texture.sampler.wrap_u, own.wrap.v = texture.sampler.wrap_v;
         own.scene = &scene;
         own.image = texture.image;
         OfMaterial& one = by_material_.emplace_back();

@@ -1,5 +1,6 @@
 #include "filters/reference/interval_image.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace zproof::oracle::filter_reference {
@@ -10,12 +11,21 @@ namespace {
 /// no more than the whole image's range.
 constexpr double widest_read = 8;
 
-/// The interval's ends and the whole numbers between them.
-std::vector<double> cut_at_whole_numbers(const Interval& a) {
+/// The interval's ends and the multiples of 1 / parts between them.
+std::vector<double> cuts_of(const Interval& a, double parts) {
     std::vector<double> cuts{a.low()};
-    for (double n = std::floor(a.low()) + 1; n < a.high(); ++n) cuts.push_back(n);
+    for (double n = std::floor(a.low() * parts) + 1; n / parts < a.high(); ++n) cuts.push_back(n / parts);
     cuts.push_back(a.high());
     return cuts;
+}
+
+/// A texel beside the centre `at`, of the period of that centre where reads end at seams.
+int read_index(const WrapRules& rules, Wrap wrap, std::int64_t texel, double at, int size) {
+    if (rules.ends_at_seams && wrap == Wrap::repeat) {
+        const auto first = std::int64_t(std::floor((at + 0.5) / size)) * size;
+        texel = std::clamp(texel, first, first + size - 1);
+    }
+    return wrapped_index(wrap, texel, size);
 }
 
 bool is_too_wide(const TexelInterval& p) {
@@ -26,10 +36,12 @@ bool is_too_wide(const TexelInterval& p) {
 struct Cell {
     std::array<IntervalImage::Texel, 4> texels;
 
-    Cell(const IntervalImage& image, const WrapRules& wrap, std::int64_t left, std::int64_t top) {
+    /// `inside`: a centre within it, which tells the period where reads end at seams.
+    Cell(const IntervalImage& image, const WrapRules& wrap, std::int64_t left, std::int64_t top,
+         const glm::dvec2& inside) {
         for (int k = 0; k < 4; ++k)
-            texels[std::size_t(k)] = image.at(wrapped_index(wrap.u, left + k % 2, image.width),
-                                              wrapped_index(wrap.v, top + k / 2, image.height));
+            texels[std::size_t(k)] = image.at(read_index(wrap, wrap.u, left + k % 2, inside.x, image.width),
+                                              read_index(wrap, wrap.v, top + k / 2, inside.y, image.height));
     }
     ColourRange at(double x, double y) const {
         glm::dvec3 value{0}, radius{0};
@@ -63,12 +75,14 @@ struct Cell {
 /// Visits the four corners of every piece, as fractions within the cell.
 template <class Visit>
 void at_corners(const IntervalImage& image, const WrapRules& wrap, const TexelInterval& place, Visit visit) {
-    const auto across = cut_at_whole_numbers(place.u - Interval{0.5}),
-               down = cut_at_whole_numbers(place.v - Interval{0.5});
+    const double parts = wrap.ends_at_seams ? 2 : 1;
+    const auto across = cuts_of(place.u - Interval{0.5}, parts),
+               down = cuts_of(place.v - Interval{0.5}, parts);
     for (std::size_t j = 0; j + 1 < down.size(); ++j) {
         for (std::size_t i = 0; i + 1 < across.size(); ++i) {
             const double left = std::floor(across[i]), top = std::floor(down[j]);
-            const Cell cell{image, wrap, std::int64_t(left), std::int64_t(top)};
+            const glm::dvec2 inside{(across[i] + across[i + 1]) / 2, (down[j] + down[j + 1]) / 2};
+            const Cell cell{image, wrap, std::int64_t(left), std::int64_t(top), inside};
             for (const double x : {across[i] - left, across[i + 1] - left})
                 for (const double y : {down[j] - top, down[j + 1] - top}) visit(cell, x, y);
         }

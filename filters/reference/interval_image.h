@@ -13,6 +13,9 @@ namespace zproof::oracle::filter_reference {
 
 struct WrapRules {
     Wrap u = Wrap::repeat, v = Wrap::repeat;
+    /// No promise but a hypothesis: a 2 x 2 read of a repeated texture takes the texels of one period alone,
+    /// that of its place.
+    bool ends_at_seams = false;
 };
 
 /// The texel that stands at an index anywhere on the line (glTF 2.0, samplers; OpenGL 4.6, table 8.20).

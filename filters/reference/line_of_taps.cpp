@@ -26,9 +26,11 @@ std::vector<int> ceilings(const Interval& a, int most) {
 ColourRange weighted_mean(const std::vector<Interval>& weights, const std::vector<ColourRange>& colours) {
     double sum = 0, least = 0;
     glm::dvec3 mean{0}, radius{0}, deviation{0};
+    ColourRange all = colours.front();
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const double w = middle(weights[i]);
         sum += w;
+        all = hull(all, colours[i]);
         least += std::max(weights[i].low(), 0.0);
         mean += w * (colours[i].low + colours[i].high) / 2.0;
     }
@@ -40,7 +42,8 @@ ColourRange weighted_mean(const std::vector<Interval>& weights, const std::vecto
                      (glm::abs(c - mean) + 0x1p-50);
         radius += weights[i].high() * own;
     }
-    return around(mean, (deviation + radius) / std::max(least, 0x1p-60) + 0x1p-50);
+    const ColourRange near = around(mean, (deviation + radius) / std::max(least, 0x1p-60) + 0x1p-50);
+    return {glm::max(near.low, all.low - 0x1p-50), glm::min(near.high, all.high + 0x1p-50)};
 }
 
 ColourRange mean_along(const TexelInterval& centre, const TexelInterval& along,

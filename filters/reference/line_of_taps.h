@@ -23,7 +23,8 @@ ColourRange mean_along(const TexelInterval& centre, const TexelInterval& along,
                        const std::vector<LineTap>& taps,
                        const std::function<ColourRange(const TexelInterval&)>& read);
 
-/// What weights known within intervals make of colours: see mean_along. At least one weight is above 0.
+/// What weights known within intervals make of colours: see mean_along. No weight is below 0, so that a mean
+/// lies among the colours; at least one is above 0.
 ColourRange weighted_mean(const std::vector<Interval>& weights, const std::vector<ColourRange>& colours);
 
 }  // namespace zproof::oracle::filter_reference

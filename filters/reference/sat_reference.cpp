@@ -100,8 +100,8 @@ using Boxes = std::function<PermittedColours(const BoxMean&, const FilterQuery&,
 Definition sat(const std::string& name, const Boxes& boxes) {
     return {"sat-" + name,
             [boxes](const texture::LinearImage& image, const Settings& settings) -> MethodReference {
-                return [means = std::make_shared<const BoxMean>(image, settings.wrap), settings,
-                        boxes](const FilterQuery& q) { return boxes(*means, q, settings); };
+                return [means = std::make_shared<const BoxMean>(image, settings.wrap, settings.more_texels),
+                        settings, boxes](const FilterQuery& q) { return boxes(*means, q, settings); };
             }};
 }
 

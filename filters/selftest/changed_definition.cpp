@@ -62,10 +62,13 @@ PixelReference ChangedDefinitions::under(const DefinitionChange& change) const {
     const FilterClaim now = claim_under(change, claim_);
     oracle::FilterSettings settings = reference_settings(now.options, now.precision);
     if (change.of_reference) change.of_reference(settings);
-    const auto reference = std::make_shared<const oracle::FilterReference>(
-        *scene, fixture_.view, definition_of(now.method), settings,
-        change.steps.value_or(step_rule(now.derivatives)));
-    return [scene, reference, surfaces = surfaces_](int x, int y, const FilterPrecision& precision) {
+    View seen = fixture_.view;
+    if (change.of_view) change.of_view(seen);
+    const auto view = std::make_shared<const View>(std::move(seen));
+    const auto reference =
+        std::make_shared<const oracle::FilterReference>(*scene, *view, definition_of(now.method), settings,
+                                                        change.steps.value_or(step_rule(now.derivatives)));
+    return [scene, view, reference, surfaces = surfaces_](int x, int y, const FilterPrecision& precision) {
         return reference->at(x, y, surfaces->at(x, y), precision);
     };
 }

@@ -17,6 +17,9 @@ struct DefinitionChange {
     std::function<void(oracle::FilterSettings&)>
         of_reference{};  ///< what no method of zproof's has a setting for
     std::optional<StepRule> steps{};
+    std::function<void(View&)> of_view{};  ///< for the places on textures alone: surfaces stay as they are
+    /// The colour that a pixel would have without the change; none where the picture does not tell.
+    std::function<std::optional<LinearRgb>(const Picture&, int x, int y)> of_picture{};
 };
 
 DefinitionChange moved_place(std::string name, const glm::dvec2& texels);  ///< of level 0
@@ -24,7 +27,7 @@ DefinitionChange biased_lod(std::string name, double levels);
 
 FilterClaim claim_under(const DefinitionChange& change, FilterClaim claim);
 
-/// The claimed method's own picture under the change, which must be none of the reference alone.
+/// The claimed method's own picture under the change, which must be one of the scene or the claim.
 Picture picture_under(const DefinitionChange& change, const FilterFixture& fixture, const FilterClaim& claim);
 
 /// Filter references of one claim under changes. The fixture must outlive it and them; the surfaces that may

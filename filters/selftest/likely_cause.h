@@ -10,7 +10,8 @@ namespace zproof::selftest {
 std::vector<DefinitionChange> likely_changes(const Scene& scene, const FilterClaim& claim);
 
 /// The names of those changes under which every pixel is permitted; pixels that are outside are asked first.
-/// Nothing where none is outside. On the threads of the surrounding tbb::task_arena.
+/// Not told is one that permits errors of the other sign as well, or far more than another one that explains
+/// the picture. Nothing where none is outside. On the threads of the surrounding tbb::task_arena.
 std::vector<std::string> causes_of(const Picture& picture, const ChangedDefinitions& definitions,
                                    const FilterClaim& claim, const Conformance& found,
                                    const std::vector<DefinitionChange>& changes);

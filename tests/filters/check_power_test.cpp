@@ -44,7 +44,7 @@ TEST(CheckPower, APromiseOfACardSeesHalfATexelAndHalfALevelOnNearGround) {
         power(near_ground(), {.method = "trilinear-gl", .precision = *preset_filter_precision("gpu")});
     EXPECT_TRUE(near.proves_something());
     for (const char* name : {"0.5 texels along u", "0.5 texels along v", "LOD + 0.5", "LOD - 0.5",
-                             "steps by 2 x 2 differences", "one level alone"})
+                             "steps by 2 x 2 differences", "mip-nearest-bilinear instead"})
         EXPECT_TRUE(has(near.refused, name)) << name;
 }
 
@@ -54,6 +54,25 @@ TEST(CheckPower, NothingIsProvedWhereCornersAreFarAway) {
     EXPECT_FALSE(far.proves_something());
     EXPECT_TRUE(has(far.settings, "arithmetic_bits=53"));
     EXPECT_GT(far.wide_share, 0.5);
+}
+
+/// A check that could not tell another method from the claimed one proves nothing of the claim.
+TEST(CheckPower, NothingIsProvedWhereASimplerMethodWouldPass) {
+    const CheckPower near =
+        power(near_ground(), {.method = "bicubic", .precision = *preset_filter_precision("gpu")});
+    EXPECT_TRUE(near.proves_something());
+    EXPECT_TRUE(has(near.refused, "bilinear instead"));
+    const CheckPower far =
+        power(far_corners(), {.method = "bicubic", .precision = *preset_filter_precision("gpu")});
+    EXPECT_TRUE(has(far.unproven, "bilinear instead"));
+}
+
+/// With a slack of a level the promise itself admits one level alone: that is no blindness of the check.
+TEST(CheckPower, WhatThePromiseAdmitsIsListedAlone) {
+    const CheckPower found =
+        power(near_ground(), {.method = "trilinear-gl", .precision = *preset_filter_precision("vulkan-min")});
+    EXPECT_TRUE(has(found.admitted, "mip-nearest-bilinear instead"));
+    EXPECT_FALSE(has(found.unproven, "mip-nearest-bilinear instead"));
 }
 
 TEST(CheckPower, ASlackThatIsPromisedIsNoBlindness) {

@@ -5,9 +5,11 @@
 #include <iostream>
 #include <map>
 
+#include "filters/conformance/filter_precision_presets.h"
 #include "filters/methods/catalogue.h"
 #include "filters/selftest/filter_fault.h"
 #include "filters/selftest/likely_cause.h"
+#include "math/srgb.h"
 
 namespace zproof::selftest {
 
@@ -91,6 +93,10 @@ TEST(LikelyCause, IsNamedOfWhatNoMethodCanBeSetTo) {
           {"aniso-midpoint", "one tap too many"},
           {"trilinear-gl", "places half a texel of each level along u and v"},
           {"trilinear-gl", "coordinates are wrapped before they are differenced within 2 x 2 pixels"},
+          {"trilinear-gl", "reads do not cross the texture's seams"},
+          {"bilinear", "pixels are seen through their upper left corners"},
+          {"sat-affine", "boxes end a column too late"},
+          {"sat-quad", "boxes end a row too early"},
           {"sat-affine", "places a texel along u"}}) {
         const FilterClaim claim{.method = method};
         const auto changes = likely_changes(fixture.scene, claim);
@@ -100,6 +106,36 @@ TEST(LikelyCause, IsNamedOfWhatNoMethodCanBeSetTo) {
         EXPECT_TRUE(std::ranges::find(found, name) != found.end())
             << method << ": " << name << ": " << testing::PrintToString(found);
     }
+}
+
+/// The right picture after `change`, of which alone the cause of that name tells.
+void expect_named(const std::string& name,
+                  const std::function<LinearRgb(const Picture& right, int x, int y)>& change) {
+    const FilterFixture fixture = filter_fixture(Ground::noise);
+    for (const char* promise : {"float64", "gpu"}) {
+        const FilterClaim claim{.method = "aniso-d3d11", .precision = *preset_filter_precision(promise)};
+        const Picture right = picture_under({}, fixture, claim);
+        Picture wrong = right;
+        for (int y = 0; y < right.size().height; ++y)
+            for (int x = 0; x < right.size().width; ++x) wrong.at(x, y) = change(right, x, y);
+        EXPECT_EQ(causes(wrong, fixture, claim), std::vector{name}) << promise;
+    }
+}
+
+TEST(LikelyCause, IsNamedWhereTheRightPictureWasSpoiled) {
+    expect_named("the picture is upside down",
+                 [](const Picture& right, int x, int y) { return right.at(x, right.size().height - 1 - y); });
+    expect_named("the picture lies a pixel to the right",
+                 [](const Picture& right, int x, int y) { return right.at(std::max(x - 1, 0), y); });
+    expect_named("red and blue are exchanged", [](const Picture& right, int x, int y) {
+        const LinearRgb c = right.at(x, y);
+        return LinearRgb{c.b, c.g, c.r};
+    });
+    expect_named("values are sRGB codes", [](const Picture& right, int x, int y) {
+        const LinearRgb c = right.at(x, y);
+        return LinearRgb{float(encoded_srgb(double{c.r})), float(encoded_srgb(double{c.g})),
+                         float(encoded_srgb(double{c.b}))};
+    });
 }
 
 TEST(LikelyCause, IsNoneOfARightPictureNorOfOneThatIsWrongInTwoWays) {
