@@ -9,12 +9,6 @@
 
 namespace zproof {
 
-/// Which of the reasons for which an answer is admissible is to be told.
-enum class AskedReason {
-    the_first,  ///< as Admissibility lists them
-    any,        ///< `visible` also stands for `clipped`
-};
-
 /// An answer to be decided: a triangle of the scene, or none, at a pixel.
 struct PixelQuery {
     const ViewBounds* bounds = nullptr;  ///< the renderer's

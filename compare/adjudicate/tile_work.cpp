@@ -164,7 +164,7 @@ void TileWork::decide_around(const PixelQuery& query, QueryResult& adjudicated) 
     const std::size_t most_work = around_.most_work,
                       at_least = around_.neighbours.size() / neighbours_per_cut;
     around_.most_work = std::min(most_work, work_left_);
-    adjudicated = {.decision = zproof::decide(around_, query.answer)};
+    adjudicated = {.decision = zproof::decide(around_, query.answer, query.reason)};
     take(adjudicated.decision.work + at_least, work_left_);
     if (is_admissible(adjudicated.decision.admissibility))
         adjudicated.farthest_depth = farthest_depth(query, adjudicated.decision.admissibility);

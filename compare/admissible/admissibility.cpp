@@ -14,34 +14,35 @@ namespace {
 
 constexpr Rules by_crack{DepthRule::bounded, EdgeRule::separate};
 
+/// `clipped` where a plane may have a part in it, and that is to be told.
 template <class Number>
-bool any_clipped(AdmissibleSet<Number>& set, size_t count) {
-    for (size_t i = 0; i < count; ++i)
-        if (set.is_clipped(i)) return true;
-    return false;
+Admissibility visible_in(AdmissibleSet<Number>& set, size_t count, AskedReason reason) {
+    for (size_t i = 0; reason == AskedReason::the_first && i < count; ++i)
+        if (set.is_clipped(i)) return Admissibility::clipped;
+    return Admissibility::visible;
 }
 
 template <class Number>
-Admissibility of_background(AdmissibleSet<Number>& set, size_t count) {
-    if (set.holds_background(set.edge_rule()))
-        return any_clipped(set, count) ? Admissibility::clipped : Admissibility::visible;
+Admissibility of_background(AdmissibleSet<Number>& set, size_t count, AskedReason reason) {
+    if (set.holds_background(set.edge_rule())) return visible_in(set, count, reason);
     return set.holds_background(EdgeRule::separate) ? Admissibility::through_a_crack : Admissibility::hole;
 }
 
 template <class Number>
-Admissibility of_triangle(AdmissibleSet<Number>& set, size_t index, size_t count) {
+Admissibility of_triangle(AdmissibleSet<Number>& set, size_t index, size_t count, AskedReason reason) {
     if (!set.is_shown(index)) return Admissibility::outside;
-    if (set.is_seen(index)) return any_clipped(set, count) ? Admissibility::clipped : Admissibility::visible;
+    if (set.is_seen(index)) return visible_in(set, count, reason);
     if (set.holds(index, {DepthRule::bounded, set.edge_rule()})) return Admissibility::tied;
     return set.holds(index, by_crack) ? Admissibility::through_a_crack : Admissibility::hidden;
 }
 
 template <class Number>
-Admissibility admissibility_in(AdmissibleSet<Number>& set, const Neighbourhood& around, PrimitiveId answer) {
+Admissibility admissibility_in(AdmissibleSet<Number>& set, const Neighbourhood& around, PrimitiveId answer,
+                               AskedReason reason) {
     const size_t count = around.neighbours.size();
-    if (answer == PrimitiveId::none) return of_background(set, count);
+    if (answer == PrimitiveId::none) return of_background(set, count, reason);
     const std::optional<size_t> index = around.index_of(answer);
-    return index ? of_triangle(set, *index, count) : Admissibility::outside;
+    return index ? of_triangle(set, *index, count, reason) : Admissibility::outside;
 }
 
 /// What was asked of a set; nothing where it would take too much work.
@@ -82,13 +83,13 @@ bool share_an_edge(const Neighbour& a, const Neighbour& b) {
 
 }  // namespace
 
-Decision decide(const Neighbourhood& around, PrimitiveId answer) {
+Decision decide(const Neighbourhood& around, PrimitiveId answer, AskedReason reason) {
     const double eps_px = around.eps_px;
     const ConservativeTest::Finding certain = ConservativeTest(around, answer).finding();
     if (certain == ConservativeTest::Finding::visible) return {Admissibility::visible, false, eps_px};
     if (certain == ConservativeTest::Finding::tied) return {Admissibility::tied, false, eps_px};
-    const auto [found, exact, work] =
-        ask_set<Admissibility>(around, [&](auto& set) { return admissibility_in(set, around, answer); });
+    const auto [found, exact, work] = ask_set<Admissibility>(
+        around, [&](auto& set) { return admissibility_in(set, around, answer, reason); });
     return {found.value_or(Admissibility::undecidable), exact, eps_px, work};
 }
 

@@ -34,9 +34,15 @@ struct Decision {
     std::size_t work = 0;  ///< that it took; see AdmissibleSet::work()
 };
 
+/// Which of the reasons for which an answer is admissible is to be told.
+enum class AskedReason {
+    the_first,  ///< as Admissibility lists them
+    any,        ///< `visible` also stands for `clipped`
+};
+
 /// Decides one answer: a triangle's id, which must be among the neighbours if it is to be admissible, or
 /// none. In double, then by intervals, then by rationals.
-Decision decide(const Neighbourhood& around, PrimitiveId answer);
+Decision decide(const Neighbourhood& around, PrimitiveId answer, AskedReason reason = AskedReason::the_first);
 
 /// What may_lie_at() found.
 struct DepthDecision {

@@ -515,7 +515,9 @@ class Diagnoser {
 Diagnosis diagnosed(const DiagnosisInput& input, const Verdict& verdict, std::span<const std::string> without,
                     std::span<const EarlierCause> earlier) {
     if (!earlier.empty()) {
-        Diagnoser quick(input, verdict, hypotheses_without_fitted_cameras(input), without);
+        std::vector<std::string> names;
+        for (const EarlierCause& e : earlier) names.push_back(e.name);
+        Diagnoser quick(input, verdict, hypotheses_named(names, input), without);
         if (std::ranges::all_of(earlier, [&](const EarlierCause& e) { return quick.knows(e); })) {
             if (const std::optional<Diagnosis> known = quick.by_earlier(earlier)) return *known;
             earlier = {};

@@ -301,7 +301,7 @@ class ClaimsInScene {
             const Claim& claim = restated_.claims()[answered.claim];
             const std::optional<PrimitiveId> id = local_scene_.id_of(answered.primitive);
             if (!id) continue;
-            queries.push_back({&restated_.bounds(), *id, claim.x, claim.y});
+            queries.push_back({&restated_.bounds(), *id, claim.x, claim.y, AskedReason::any});
             decided.push_back({&answered, {}});
         }
         const std::vector<QueryResult> results = adjudicator.decide(queries);
@@ -321,7 +321,8 @@ class ClaimsInScene {
         for (const Decided& d : decided_by(own_, all)) {
             const Claim& claim = restated_.claims()[d.answered->claim];
             if (is_beyond(d)) {
-                larger.push_back({&restated_.bounds(), d.answered->primitive, claim.x, claim.y});
+                larger.push_back(
+                    {&restated_.bounds(), d.answered->primitive, claim.x, claim.y, AskedReason::any});
                 asked_again.push_back(d.answered);
             } else if (is_admissible(d.decision.admissibility)) {
                 admissible.push_back(*d.answered);

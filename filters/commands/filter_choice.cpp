@@ -127,6 +127,7 @@ void apply(Texturing& texturing, const std::string& part, const std::string& wor
     const std::size_t equals = std::min(part.find('='), part.size());
     const std::string key = part.substr(0, equals), text = part.substr(std::min(equals + 1, part.size()));
     const auto setting = std::ranges::find(method_settings(), key, &MethodSetting::key);
+    if (part.empty()) throw UsageError{"filter '" + word + "': nothing stands between two colons"};
     if (setting == method_settings().end()) {
         std::vector<std::string> keys;
         for (const MethodSetting& known : method_settings()) keys.push_back(known.key);

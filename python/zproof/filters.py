@@ -173,6 +173,8 @@ def run(methods, scene, view=None, *, own=None, pictures=None, claims=None, prec
 
     Without truth and flicker it is the study that `zproof filters run` makes. Returns a Table. Raises ValueError for arguments that are not usable, RuntimeError with the program's words.
     """
+    if isinstance(methods, str):
+        raise TypeError(f"methods is the text {methods!r}; expected a list of names, [{methods!r}]")
     study = _Study(folder)
     with tempfile.TemporaryDirectory() as scratch:
         words = ["filters", "run", *_scene_words(scene, view, size, scratch)]

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
-#include <span>
+#include <ranges>
 #include <utility>
 
 namespace zproof {
@@ -51,6 +50,11 @@ constexpr std::array all_families{Family{Kind::signs, hypotheses_of_signs},
 constexpr std::array families_of_blank_frames{Family{Kind::dropped, hypotheses_of_dropped_triangles},
                                               Family{Kind::parts, hypotheses_of_blank_frames}};
 
+std::span<const Family> families_for(const DiagnosisInput& input) {
+    if (is_blank(input.candidate.frame)) return families_of_blank_frames;
+    return all_families;
+}
+
 std::vector<Hypothesis> hypotheses_of(std::span<const Family> families, const DiagnosisInput& input) {
     std::vector<Hypothesis> all;
     for (const Family& family : families)
@@ -65,16 +69,21 @@ std::vector<Hypothesis> hypotheses_of(std::span<const Family> families, const Di
 }  // namespace
 
 std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input) {
-    if (is_blank(input.candidate.frame)) return hypotheses_of(families_of_blank_frames, input);
-    return hypotheses_of(all_families, input);
+    return hypotheses_of(families_for(input), input);
 }
 
-std::vector<Hypothesis> hypotheses_without_fitted_cameras(const DiagnosisInput& input) {
-    if (is_blank(input.candidate.frame)) return all_hypotheses(input);
-    std::vector<Family> quick;
-    std::ranges::remove_copy(all_families, std::back_inserter(quick), &hypotheses_of_fitted_cameras,
-                             &Family::hypotheses);
-    return hypotheses_of(quick, input);
+std::vector<Hypothesis> hypotheses_named(std::span<const std::string> names, const DiagnosisInput& input) {
+    std::vector<Hypothesis> found;
+    std::vector<std::string> missing(names.begin(), names.end());
+    // The last are the soonest to be made.
+    for (const Family& family : families_for(input) | std::views::reverse) {
+        if (missing.empty()) break;
+        if (family.hypotheses == hypotheses_of_fitted_cameras) continue;
+        for (Hypothesis& h : hypotheses_of({&family, 1}, input))
+            if (std::ranges::count(missing, h.cause.name) > 0) found.push_back(std::move(h));
+        for (const Hypothesis& h : found) std::erase(missing, h.cause.name);
+    }
+    return found;
 }
 
 }  // namespace zproof

@@ -2,6 +2,8 @@
 /// specific stands first (docs/diagnosis.md).
 #pragma once
 
+#include <span>
+#include <string>
 #include <vector>
 
 #include "compare/diagnosis/hypothesis.h"
@@ -53,7 +55,8 @@ std::vector<Hypothesis> hypotheses_of_blank_frames(const DiagnosisInput& input);
 /// All hypotheses, the more specific first: of two that explain the same, the first is named.
 /// Where a frame shows no triangle, those alone that would leave it blank.
 std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input);
-/// The same without those of fitted cameras, which take longer to make than all others together.
-std::vector<Hypothesis> hypotheses_without_fitted_cameras(const DiagnosisInput& input);
+/// Those of these names, from the first family that has them; none of fitted cameras, which take longer to
+/// make than all others together.
+std::vector<Hypothesis> hypotheses_named(std::span<const std::string> names, const DiagnosisInput& input);
 
 }  // namespace zproof

@@ -124,7 +124,7 @@ std::vector<Claim> OtherWorld::readings_of(const Claim& claim) {
 bool OtherWorld::admits(const Claim& claim) {
     if (!may_show(claim) || search().by_tile.triangles.empty()) return false;
     QueryResult result;
-    const PixelQuery query{&bounds_, claim.answer.primitive, claim.x, claim.y};
+    const PixelQuery query{&bounds_, claim.answer.primitive, claim.x, claim.y, AskedReason::any};
     const double needed_px = search().work_at(claim.x, claim.y).decide(query, searched_px, result);
     return needed_px == 0 && is_admissible(result.decision.admissibility);
 }

@@ -55,13 +55,14 @@ std::vector<Hypothesis> of_coordinates(const DiagnosisInput& input, const Raster
     for (int bits = declared.subpixel_bits - 1; bits >= 0; --bits) {
         RasterPrecision p = declared;
         p.subpixel_bits = bits;
-        all.push_back(
-            as_precise_as(input,
-                          {"only " + bits_text(bits),
-                           "Vertices snap to a grid of 2^-" + std::to_string(bits) + " px, declared " +
-                               std::to_string(declared.subpixel_bits) + " bits.",
-                           "Look at the fixed-point scale of the rasterizer's vertices: the sub-pixel bits."},
-                          p));
+        all.push_back(as_precise_as(
+            input,
+            {"only " + bits_text(bits),
+             "Vertices lie beside their places as on a grid of 2^-" + std::to_string(bits) +
+                 " px, declared " + std::to_string(declared.subpixel_bits) + " bits.",
+             "Look at the fixed-point scale of the rasterizer's vertices, and at whatever rounds "
+             "them before."},
+            p));
     }
     for (Hypothesis& h : all) h.moves_triangles = true;
     std::ranges::stable_sort(all, {}, [&](const Hypothesis& h) { return eps_base_px(input, h.precision); });
