@@ -11,6 +11,7 @@
 #include "program/scene_selection.h"
 #include "program/usage_error.h"
 #include "renderers/registry.h"
+#include "reports/notes.h"
 #include "scenes/judged_ranges.h"
 
 namespace zproof {
@@ -56,6 +57,7 @@ ExitCode execute(const ExplainArguments& arguments) {
     require_program(arguments.renderers.candidate);
     const SceneSource source = select_scene(arguments.scene, arguments.models);
     const Loaded loaded = load(source, arguments.settings.resolution);
+    if (!arguments.common.is_quiet()) std::cerr << note_lines(source.name, loaded.scene.notes);
     const View view = asked_view(arguments, loaded);
     require_inside(arguments, view);
     require_judged(view);

@@ -16,6 +16,7 @@
 #include "program/work_progress.h"
 #include "renderers/registry.h"
 #include "reports/fit/fit_report.h"
+#include "reports/notes.h"
 #include "reports/output_folder.h"
 #include "reports/pages/folder.h"
 #include "reports/pages/writers.h"
@@ -43,11 +44,13 @@ std::vector<View> fitted_views(const FitArguments& arguments, const Loaded& load
 struct Fitted {
     std::vector<FittedView> views;
     Share share{0, 0};
+    NoteKinds notes{};
 };
 
 void fit_scene(const FitArguments& arguments, const SceneSource& source, WorkProgress& progress,
                Fitted& fitted) {
     const Loaded loaded = load(source, resolution_of(arguments));
+    fitted.notes.add(source.name, loaded.scene.notes);
     if (loaded.scene.triangles.empty()) {
         progress.say(std::cerr, "zproof: " + source.name + ": the scene has no triangles, nothing to fit\n");
         return;
@@ -101,6 +104,7 @@ ExitCode execute(const FitArguments& arguments) {
     const std::vector<SceneSource> sources = select_scenes(arguments.scenes);
     note_interrupts();
     const Fitted fitted = fit_all(arguments, sources);
+    if (!arguments.common.is_quiet()) std::cerr << fitted.notes.lines();
     const bool all_done = fitted.share.done == fitted.share.all && fitted.share.scenes_left == 0;
     if (!fitted.views.empty())
         write(arguments, fitted.views, all_done ? Completeness::full : Completeness::partial);

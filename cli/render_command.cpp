@@ -14,6 +14,7 @@
 #include "rasterizer/interpolation.h"
 #include "rasterizer/shader.h"
 #include "renderers/registry.h"
+#include "reports/notes.h"
 #include "reports/output_folder.h"
 #include "reports/pictures.h"
 #include "scenes/judged_ranges.h"
@@ -63,8 +64,9 @@ ExitCode execute(const RenderArguments& arguments) {
         if (const int status = status_of(*companion_named("filters"), filtered_words(arguments, {}));
             status != 0)
             return ExitCode{status};
-    const Loaded loaded =
-        load(select_scene(arguments.scene, arguments.models), arguments.settings.resolution);
+    const SceneSource source = select_scene(arguments.scene, arguments.models);
+    const Loaded loaded = load(source, arguments.settings.resolution);
+    if (!arguments.common.is_quiet()) std::cerr << note_lines(source.name, loaded.scene.notes);
     const std::vector<View> views = at_samples(loaded.views, arguments.settings.samples);
     OutputFolder out{arguments.common.out};
     note_interrupts();

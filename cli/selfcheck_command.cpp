@@ -10,6 +10,7 @@
 #include "program/scene_selection.h"
 #include "program/work_progress.h"
 #include "renderers/registry.h"
+#include "reports/notes.h"
 #include "reports/wording.h"
 #include "scenes/judged_ranges.h"
 #include "scenes/scene_error.h"
@@ -23,6 +24,7 @@ struct SelfcheckTally {
     std::uint64_t pairs = 0;    ///< of a view and a variant
     std::uint64_t defects = 0;  ///< of these, with a frame that is wrong
     int missing = 0;            ///< scenes, views and variants that cannot be read or drawn
+    NoteKinds notes{};
 };
 
 std::uint64_t pixels_that_differ(const ClassCounts& counts) {
@@ -51,6 +53,7 @@ class Selfcheck {
     void check(const SceneSource& source) {
         try {
             const Loaded loaded = load(source, arguments_.settings.resolution);
+            tally_.notes.add(source.name, loaded.scene.notes);
             tally_.views.all += loaded.views.size();
             progress_.expect_more(double(loaded.views.size()) - 1);
             for (const View& view : loaded.views)
@@ -140,7 +143,9 @@ ExitCode conclusion(const SelfcheckTally& tally) {
 ExitCode execute(const SelfcheckArguments& arguments) {
     const std::vector<SceneSource> sources = select_scenes(arguments.scenes);
     note_interrupts();
-    return conclusion(check_all(arguments, sources));
+    const SelfcheckTally tally = check_all(arguments, sources);
+    if (!arguments.common.is_quiet()) std::cerr << tally.notes.lines();
+    return conclusion(tally);
 }
 
 }  // namespace zproof
