@@ -14,6 +14,7 @@
 #include "frame/found_text.h"
 #include "frame/frame_error.h"
 #include "frame/input_file.h"
+#include "frame/json_keys.h"
 #include "frame/joined.h"
 
 namespace zproof {
@@ -236,6 +237,7 @@ Convention from_file(const std::string& file) {
     constexpr std::size_t longest = 1 << 16;
     const std::string text = read_input(file, {.words = "a JSON file"});
     if (text.size() > longest) throw FrameError(file + ": more than 64 KiB; a convention is a few keys");
+    refuse_repeated_key(text, file);
     Json object = Json::parse(text, nullptr, false);
     if (!object.is_object())
         throw FrameError(file +

@@ -11,6 +11,7 @@
 #include "frame/found_text.h"
 #include "frame/frame_error.h"
 #include "frame/input_file.h"
+#include "frame/json_keys.h"
 #include "frame/joined.h"
 #include "frame/number_text.h"
 #include "frame/precision_fields.h"
@@ -228,6 +229,7 @@ struct Undeclared {
 Undeclared parsed(const std::string& text, const std::string& place) {
     constexpr std::size_t longest = 1 << 16;
     if (text.size() > longest) throw FrameError(place + ": more than 64 KiB; a declaration is a few keys");
+    refuse_repeated_key(text, place);
     Json object = Json::parse(text, nullptr, false);
     if (object.is_discarded())
         throw FrameError(place + ": not JSON; expected an object such as {\"kind\": \"raster\"}");

@@ -1,5 +1,6 @@
 #include "scenes/json_text.h"
 
+#include "frame/json_keys.h"
 #include "scenes/limits.h"
 
 namespace zproof {
@@ -57,7 +58,10 @@ std::string plain(const std::string& what) {
 nlohmann::json parse_json(const std::filesystem::path& file, std::string_view text) {
     Extent(file, text).check();
     try {
-        return nlohmann::json::parse(text);
+        nlohmann::json parsed = nlohmann::json::parse(text);
+        if (const auto repeated = repeated_key(text))
+            refuse(file, "byte " + std::to_string(repeated->byte), repeated->why);
+        return parsed;
     } catch (const nlohmann::json::exception& error) {
         refuse(file, "JSON", plain(error.what()) + "; mend or export the file again");
     }

@@ -16,7 +16,7 @@ namespace zproof {
 
 /// Parses the text; depth and numbers of values and objects are bounded before any parser recurses or
 /// allocates. Throws SceneError, naming the file and the byte or line, for text that is not JSON, is beyond
-/// limits or escapes the character 0.
+/// limits, escapes the character 0 or has a key twice in one object.
 nlohmann::json parse_json(const std::filesystem::path& file, std::string_view text);
 
 /// A value with the place where it stands, so that every error can name it.

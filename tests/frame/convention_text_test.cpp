@@ -78,6 +78,9 @@ TEST_F(ConventionFile, MistakesAreNamedWithTheirPlace) {
               std::string::npos);
     EXPECT_NE(refusal(written(R"({"preset": "gl"})")).find("/preset: expected one of pytorch3d"),
               std::string::npos);
+    EXPECT_NE(
+        refusal(written(R"({"id_base": 1, "id_base": 0})")).find("mine.json: byte 15: \"id_base\" stands"),
+        std::string::npos);
     EXPECT_NE(refusal(written("[1]")).find("expected a JSON object"), std::string::npos);
     EXPECT_NE(refusal(written("")).find("expected a JSON object"), std::string::npos);
     EXPECT_NE(refusal("none.json").find("none.json: no such file; expected a JSON file"), std::string::npos);

@@ -72,6 +72,10 @@ TEST(PrecisionText, ARefusalNamesPlaceAndRemedy) {
     EXPECT_NE(refusal("raster,snap=\xCF").find("found \"\xCF\""), std::string::npos);
     EXPECT_NE(refusal("ray,subpixel_bits=4").find("unknown key"), std::string::npos);
     EXPECT_NE(refusal("plane_ray,aim_offset_px=-1").find("from 0 to 1, found -1"), std::string::npos);
+    EXPECT_NE(complaint<FrameError>([] {
+                  precision_from_json(R"({"kind": "raster", "kind": "ray"})", "mine.json");
+              }).find("mine.json: byte 19: \"kind\" stands twice in its object"),
+              std::string::npos);
     EXPECT_NE(refusal("raster,nonsense").find("KEY=VALUE"), std::string::npos);
     EXPECT_NE(refusal("/no/such/file.json").find("no such file; expected a JSON file, a preset"),
               std::string::npos);

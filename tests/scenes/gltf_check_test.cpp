@@ -124,6 +124,15 @@ TEST(GltfCheck, RefusesTheCharacter0InTextButNotItsEscapeWhenEscaped) {
     EXPECT_NE(refusal.find("byte 52: expected text without the character 0"), std::string::npos) << refusal;
 }
 
+TEST(GltfCheck, RefusesAKeyThatStandsTwice) {
+    const TestFolder folder;
+    const std::string refusal = refusal_of(
+        folder.write("scene.gltf", R"({"asset": {"version": "2.0"}, "meshes": [], "meshes": [{}]})"));
+    EXPECT_NE(refusal.find("byte 44: \"meshes\" stands twice in its object; expected each key once"),
+              std::string::npos)
+        << refusal;
+}
+
 TEST(GltfCheck, RefusesMoreObjectsThanStructuresShouldBeMadeOf) {
     const TestFolder folder;
     std::string text = R"({"materials": [)";
