@@ -38,14 +38,15 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
-/// Keywords of OBJ that are read, counted, or change no triangle. What is not among them is a fault.
+/// Keywords of OBJ that are read, counted, or change no triangle. Others are noted: "call" reads another
+/// file.
 bool is_known(std::string_view keyword) {
     static const std::set<std::string_view> words{
-        "v",        "vt",       "vn",         "vp",        "f",     "l",     "p",     "o",
-        "g",        "s",        "mg",         "end",       "con",   "deg",   "lod",   "mtllib",
-        "usemtl",   "maplib",   "usemap",     "bmat",      "step",  "curv",  "curv2", "surf",
-        "parm",     "trim",     "hole",       "scrv",      "sp",    "call",  "csh",   "bevel",
-        "c_interp", "d_interp", "shadow_obj", "trace_obj", "ctech", "stech", "cstype"};
+        "v",          "vt",        "vn",     "vp",    "f",     "l",     "p",        "o",
+        "g",          "s",         "mg",     "end",   "con",   "deg",   "lod",      "mtllib",
+        "usemtl",     "maplib",    "usemap", "bmat",  "step",  "curv",  "curv2",    "surf",
+        "parm",       "trim",      "hole",   "scrv",  "sp",    "bevel", "c_interp", "d_interp",
+        "shadow_obj", "trace_obj", "ctech",  "stech", "cstype"};
     return keyword.empty() || keyword[0] == '#' || words.contains(keyword);
 }
 

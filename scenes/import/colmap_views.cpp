@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "frame/input_file.h"
 #include "scenes/import/view_import.h"
@@ -31,9 +33,18 @@ class ColmapLines {
 
     /// The next line, whatever is in it; false at the end.
     bool next_line() {
+        if (std::exchange(is_unread_, false)) return true;
         const bool is_there(std::getline(in_, line_));
         if (++number_ == 1 && line_.starts_with(byte_order_mark)) line_.erase(0, byte_order_mark.size());
         return is_there;
+    }
+    /// Makes this line the next one, too.
+    void unread() { is_unread_ = true; }
+    /// Does the line hold points of an image, X Y POINT3D_ID each, or none?
+    bool holds_points() const {
+        if (line_.find_first_not_of("+-.0123456789eE \t\r") != std::string::npos) return false;
+        std::istringstream words(line_);
+        return std::distance(std::istream_iterator<std::string>(words), {}) % 3 == 0;
     }
     /// The next line that is neither empty nor a comment; false at the end.
     bool next_record() {
@@ -51,6 +62,7 @@ class ColmapLines {
     std::ifstream in_;
     std::string line_;
     int number_ = 0;
+    bool is_unread_ = false;
 };
 
 /// The parameters of a model: how many focal lengths it has, and how many numbers of distortion.
@@ -158,7 +170,7 @@ ImportedViews import_colmap(const fs::path& folder, const DepthRange& range) {
     ImportedViews imported;
     while (lines.next_record()) {
         if (const auto view = image_at(lines, cameras, range)) imported.views.push_back(*view);
-        lines.next_line();  // the image's points, of which there may be none
+        if (lines.next_line() && !lines.holds_points()) lines.unread();  // some programs write no such line
     }
     for (const auto& [id, camera] : cameras)
         if (!camera.left_out.empty()) imported.left_out.push_back(sentence_of(camera));

@@ -233,12 +233,12 @@ TEST(ModelFile, ConcaveFacesAreCutInEveryFormat) {
 
 TEST(Obj, NotesLinesAndMaterialsThatItDoesNotKnow) {
     const TestFolder folder;
-    const Scene scene = load_model_scene(
-        folder.write("a.obj",
-                     "v 0 0 0\nv 1 0 0\nv 0 1 0\ns off\n\nvx 1\n\x1b[2J\nusemtl \ngroup a\nusemtl "
-                     "red\nf 1 2 3\nusemtl blue\nf 1 2 3\nusemtl red\nf 1 2 3\n"));
+    const Scene scene = load_model_scene(folder.write(
+        "a.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\ns off\n\nvx 1\n\x1b[2J\nusemtl \ngroup a\ncall b.obj\nusemtl "
+        "red\nf 1 2 3\nusemtl blue\nf 1 2 3\nusemtl red\nf 1 2 3\n"));
     EXPECT_EQ(scene.notes,
-              (std::vector<std::string>{"lines of an unknown keyword skipped: 3, the first \"vx\" in line 6",
+              (std::vector<std::string>{"lines of an unknown keyword skipped: 4, the first \"vx\" in line 6",
                                         "unknown materials, white: 2, the first \"red\""}));
 }
 

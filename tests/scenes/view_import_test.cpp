@@ -209,6 +209,20 @@ TEST_F(ViewImport, ColmapsPointsLandOnTheirPixels) {
     expect_same_pixels(views[0].view, pinhole, 0);
 }
 
+TEST_F(ViewImport, ColmapsImagesMayStandWithoutALineOfPoints) {
+    const auto image = [](const char* name) { return colmap_image({0, 1, 0}, 1, {0, 0, 0}, name); };
+    const auto [views, left_out] =
+        colmap("9 PINHOLE 640 480 612 598 331 222\n", image("1") + image("2.png") + "# no points\n" +
+                                                          image("3 4 5") + "\r\n" + image("b 7") +
+                                                          "1.5 -2 -1 3e2 4 5\n" + image("c") + "1 2 -1\n");
+    std::string names;
+    for (const ImportedView& imported : views) names += imported.view.name + ",";
+    EXPECT_EQ(names, "1,2,3_4_5,b_7,c,");
+    expect_refusal(
+        [&] { colmap("9 PINHOLE 640 480 612 598 331 222\n", image("1") + "1 2 -1 3\n" + image("2")); },
+        "images.txt: line 2: expected IMAGE_ID");
+}
+
 TEST_F(ViewImport, ColmapsImagesWithoutAPinholeAreLeftOutByName) {
     const auto image = [](int camera, const std::string& name) {
         return std::to_string(camera) + " 1 0 0 0 0 0 0 " + std::to_string(camera) + " " + name + "\n\n";
