@@ -72,6 +72,7 @@ ChannelPlace require(const ImageFile& file, const Layer& layer) {
     if (!layer.has_type(found))
         throw FrameError(file.name() + ": channel '" + layer.channel + "' is of type " + name_of(found) +
                          "; expected " + layer.types);
+    file.refuse_scaled_samples(place->part);
     return *place;
 }
 

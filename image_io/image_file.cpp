@@ -26,14 +26,27 @@ std::size_t bytes_of(const Part& part, int first, int last) {
 }
 
 std::vector<unsigned char> first_bytes_of(const std::filesystem::path& file) {
-    std::array<char, 16> bytes{};
+    std::array<char, 32> bytes{};
     std::ifstream in(file, std::ios::binary);
     in.read(bytes.data(), bytes.size());
     return {bytes.begin(), bytes.begin() + in.gcount()};
 }
 
+/// How many bits the grey samples of a PNG have, where they are fewer than a byte; else 0.
+int scaled_bits_of_png(std::span<const unsigned char> first_bytes) {
+    constexpr std::size_t bits_at = 24, colour_type_at = 25;  // ISO/IEC 15948, 11.2.2
+    const bool is_grey = first_bytes.size() > colour_type_at && first_bytes[colour_type_at] == 0;
+    return is_grey && first_bytes[bits_at] < 8 ? first_bytes[bits_at] : 0;
+}
+
 bool has_samples_of_no_known_type(const Part& part) {
     return std::ranges::any_of(part.channels, [](const Channel& c) { return c.sample == Sample::other; });
+}
+
+/// The first and the last but one of the rows of the data window that the display window shows.
+std::pair<int, int> shown_rows(const Part& part) {
+    const int top = part.display.y - part.data.y;
+    return {std::clamp(top, 0, part.data.height), std::clamp(top + part.display.height, 0, part.data.height)};
 }
 
 /// The piece of row `y` of the data window that the display window shows; its count may be 0 or less.
@@ -97,13 +110,15 @@ ImageFile::ImageFile(const std::filesystem::path& file, const std::string& expec
     : name_(file.string()) {
     if (const std::string fault = fault_of_input(file); !fault.empty())
         throw FrameError(name_ + ": " + fault + "; expected " + expected);
-    format_ = format_of(first_bytes_of(file));
+    const std::vector<unsigned char> first_bytes = first_bytes_of(file);
+    format_ = format_of(first_bytes);
     if (format_ == Format::unknown)
         throw FrameError(name_ + ": not a readable OpenEXR file, nor TIFF, PNG, PFM or .npy");
     if (format_ == Format::npy)
         parts_.push_back(array_.emplace(file).part());
     else
         open({}, mip_level);
+    if (format_ == Format::png) parts_[0].scaled_bits = scaled_bits_of_png(first_bytes);
 }
 
 ImageFile::ImageFile(std::span<const unsigned char> bytes, std::string name)
@@ -149,6 +164,14 @@ Resolution ImageFile::size_of(int part) const {
     return size;
 }
 
+void ImageFile::refuse_scaled_samples(int part) const {
+    const Part& p = parts_[std::size_t(part)];
+    if (p.scaled_bits != 0)
+        throw FrameError(name_ + ": " + std::to_string(p.scaled_bits) +
+                         "-bit samples, which readers scale to " + name_of(p.channels[0].sample) +
+                         "; expected samples of 8, 16 or 32 bits: write it so");
+}
+
 void ImageFile::read_block(const Block& block, const std::string& channel, std::span<std::byte> to) const {
     if (array_) return array_->read(block, to);
     try {
@@ -169,7 +192,8 @@ void ImageFile::read_part(int part, std::span<const WantedChannel> channels) con
     const std::size_t row_bytes =
         std::size_t(p.data.width) * bytes_of(p, first.place.channel, first.place.channel + count);
     std::vector<std::byte> bytes(row_bytes * std::size_t(std::min(step, p.data.height)));
-    for (int row = 0; row < p.data.height; row += step) {
+    const auto [first_row, end_row] = shown_rows(p);
+    for (int row = first_row - first_row % step; row < end_row; row += step) {
         const Block block{part, row, std::min(step, p.data.height - row), first.place.channel, count};
         read_block(block, channel(channels.front().place).name, bytes);
         for (const WantedChannel& wanted : channels) BlockRows(p, block, bytes).hand_to(wanted);

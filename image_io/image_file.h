@@ -55,7 +55,10 @@ class ImageFile {
     /// The size of a part's display window. Throws FrameError for deep samples, and where the size of either
     /// window is not allowed.
     Resolution size_of(int part) const;
-    /// Reads all samples of some channels. Throws FrameError, naming the channel, where they cannot be read.
+    /// Throws FrameError where reading scales the samples: of ids and depths nothing would be left.
+    void refuse_scaled_samples(int part) const;
+    /// Reads the samples of some channels that the display window shows. Throws FrameError, naming the
+    /// channel, where they cannot be read.
     void read(std::span<const WantedChannel> channels) const;
 
   private:

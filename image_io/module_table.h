@@ -36,7 +36,8 @@ struct Part {
     Samples samples = Samples::flat;
     int rows_at_once = 1;  ///< reads begin at a multiple of it, counted from the data window's top
     std::vector<Channel> channels;
-    int mip_levels = 1;  ///< at most most_mip_levels are counted
+    int mip_levels = 1;   ///< at most most_mip_levels are counted
+    int scaled_bits = 0;  ///< of a sample in the file, where reading scales it to its type; else 0
 };
 inline constexpr int most_mip_levels = 32;
 
@@ -93,7 +94,7 @@ struct TextureLookup {
 class Textures;  ///< the module's own
 
 /// An interface of another number is not used.
-inline constexpr int interface_number = 5;
+inline constexpr int interface_number = 6;
 
 struct ModuleTable {
     int interface = interface_number;

@@ -176,10 +176,13 @@ class RawPlanes {
         find_ids();
         find_depths();
         size_ = depth_file().size_of(depth_place_.part);
-        for (const ChannelPlace& place : id_places_)
+        depth_file().refuse_scaled_samples(depth_place_.part);
+        for (const ChannelPlace& place : id_places_) {
+            id_file_.refuse_scaled_samples(place.part);
             if (const Resolution other = id_file_.size_of(place.part); other != size_)
                 throw FrameError(depth_file().name() + ": depths of " + size_text(size_.width, size_.height) +
                                  " pixels; the ids have " + size_text(other.width, other.height));
+        }
     }
 
     void find_ids() {

@@ -105,13 +105,20 @@ OpenFile* open(const Source& source) {
 
 void close(OpenFile* file) { delete file; }
 
+/// Of TIFF: how many bits a whole number has, where they are not those of its type; else 0.
+int scaled_bits_of(const OIIO::ImageSpec& spec) {
+    const int bits = spec.get_int_attribute("oiio:BitsPerSample");
+    return spec.format.is_floating_point() || bits == 8 * int(spec.format.size()) ? 0 : bits;
+}
+
 Part part_of(const OIIO::ImageSpec& spec) {
     Part part{.name = spec.get_string_attribute("oiio:subimagename"),
               .data = {spec.x, spec.y, spec.width, spec.height},
               .display = {spec.full_x, spec.full_y, spec.full_width, spec.full_height},
               .samples = spec.deep ? Samples::deep : Samples::flat,
               .rows_at_once = spec.tile_height > 0 ? spec.tile_height : 1,
-              .channels = {}};
+              .channels = {},
+              .scaled_bits = scaled_bits_of(spec)};
     for (int c = 0; c < spec.nchannels; ++c)
         part.channels.push_back({spec.channel_name(c), sample_of(spec.channelformat(c))});
     return part;

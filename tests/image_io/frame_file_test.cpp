@@ -88,6 +88,13 @@ void write_native(const std::filesystem::path& file, const OIIO::ImageSpec& spec
     ASSERT_TRUE(output->close()) << output->geterror();
 }
 
+/// One row of sixteen grey samples, each 1 of 15.
+constexpr std::string_view png_of_4_bits{
+    "\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00\x00\x10\x00\x00\x00\x01"
+    "\x04\x00\x00\x00\x00\x37\xe2\x9c\x82\x00\x00\x00\x0b\x49\x44\x41\x54\x78\x9c\x63\x10\x84\x02\x00"
+    "\x02\x6d\x00\x89\xa5\xf9\xad\x4f\x00\x00\x00\x00\x49\x45\x4e\x44\xae\x42\x60\x82",
+    68};
+
 std::string refusal_to_read(const std::filesystem::path& file) {
     return complaint<FrameError>([&] { read_frame(file); });
 }
@@ -225,6 +232,31 @@ TEST_F(FrameFile, ReadsAPictureWhoseWindowsDoNotBeginAtZero) {
     spec.x = spec.full_x = -7, spec.y = spec.full_y = 100;
     write_as_stranger(file("moved.exr"), frame, spec);
     EXPECT_EQ(numbers(read_frame(file("moved.exr")).primitive), numbers(frame.primitive));
+}
+
+/// Rows of the data window that nobody sees are not even in the file.
+TEST_F(FrameFile, ReadsOnlyRowsThatTheDisplayWindowShows) {
+    Frame frame({3, 2000});
+    std::ranges::fill(frame.primitive.pixels(), PrimitiveId{7});
+    OIIO::ImageSpec spec(0, 0, 2, OIIO::TypeFloat);
+    spec.attribute("compression", "none");
+    spec.y = -300, spec.full_width = 3, spec.full_height = 20;
+    write_as_stranger(file("tall.exr"), frame, spec);
+    std::filesystem::resize_file(file("tall.exr"), std::filesystem::file_size(file("tall.exr")) / 2);
+    const std::vector<std::uint32_t> expected(60, 7);
+    EXPECT_EQ(numbers(read_frame(file("tall.exr")).primitive), expected);
+}
+
+TEST_F(FrameFile, RefusesSamplesThatReadingScales) {
+    write_frame(file("z.exr"), Frame({16, 1}));
+    const std::vector<std::uint8_t> ids(16, 1);
+    OIIO::ImageSpec spec(16, 1, 1, OIIO::TypeUInt8);
+    spec.attribute("oiio:BitsPerSample", 4);
+    write_native(file("id.tif"), spec, ids.data());
+    std::ofstream(file("id.png"), std::ios::binary) << png_of_4_bits;
+    for (const char* name : {"id.tif", "id.png"})
+        EXPECT_THAT(refusal_to_read(file(name).string() + "+" + file("z.exr").string()),
+                    AllOf(HasSubstr(name), HasSubstr("4-bit samples")));
 }
 
 TEST_F(FrameFile, ReadsPicturesOfAStranger) {

@@ -147,6 +147,16 @@ TEST_F(RawFrames, SixteenBitPngHoldsDepths) {
     EXPECT_THAT(refusal("id.png", "bop"), HasSubstr("channel 'Z' is missing"));
 }
 
+TEST_F(RawFrames, SamplesThatReadingScalesAreRefusedOfIdsAndOfDepths) {
+    const std::vector<std::uint16_t> numbers{0, 16, 32};
+    OIIO::ImageSpec spec{3, 1, 1, OIIO::TypeUInt16};
+    write_image(file("whole.tif"), spec, {"Y"}, numbers.data());
+    spec.attribute("oiio:BitsPerSample", 12);
+    write_image(file("scaled.tif"), spec, {"Y"}, numbers.data());
+    for (const char* name : {"scaled.tif+whole.tif", "whole.tif+scaled.tif"})
+        EXPECT_THAT(refusal(name, "bop"), HasSubstr("scaled.tif: 12-bit samples"));
+}
+
 TEST_F(RawFrames, ChannelsOfPartsAreNamedWithTheirPart) {
     std::vector<OIIO::ImageSpec> specs(2, OIIO::ImageSpec{2, 1, 2, OIIO::TypeFloat});
     specs[0].channelnames = specs[1].channelnames = {"Z", "I"};
