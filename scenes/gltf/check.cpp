@@ -128,6 +128,24 @@ class Check {
         if (primitive.indices >= 0) indices(place + "/indices", at(model_.accessors, primitive.indices));
     }
 
+    void weights(const std::string& place, const std::vector<double>& weights, const gltf::Mesh& mesh) const {
+        for (const gltf::Primitive& primitive : mesh.primitives)
+            if (!weights.empty() && weights.size() != primitive.targets.size())
+                refuse(file_, place + "/weights",
+                       "has " + std::to_string(weights.size()) + " numbers, a primitive of the mesh " +
+                           std::to_string(primitive.targets.size()) + " morph targets; expected as many" +
+                           export_again);
+    }
+
+    void node(std::size_t i) const {
+        const gltf::Node& node = model_.nodes[i];
+        const bool is_in_parts = !node.translation.empty() || !node.rotation.empty() || !node.scale.empty();
+        if (!node.matrix.empty() && is_in_parts)
+            refuse(file_, pointer("nodes", i),
+                   "has a matrix beside translation, rotation or scale; expected either" + export_again);
+        if (node.mesh >= 0) weights(pointer("nodes", i), node.weights, at(model_.meshes, node.mesh));
+    }
+
     void camera(std::size_t i) const {
         const gltf::Camera& camera = model_.cameras[i];
         const std::string place = pointer("cameras", i, "/" + camera.type);
@@ -325,6 +343,9 @@ std::vector<std::string> check_model(const GltfModel& model) {
     for (std::size_t i = 0; i < document.scenes.size(); ++i) check.scene_roots(i, parents);
     for (std::size_t i = 0; i < document.accessors.size(); ++i) check.accessor(i);
     each_primitive(document, [&](const auto&... primitive) { check.primitive(primitive...); });
+    for (std::size_t i = 0; i < document.meshes.size(); ++i)
+        check.weights(pointer("meshes", i), document.meshes[i].weights, document.meshes[i]);
+    for (std::size_t i = 0; i < document.nodes.size(); ++i) check.node(i);
     for (std::size_t i = 0; i < document.cameras.size(); ++i) check.camera(i);
     if (const auto shared = std::ranges::count_if(parents, [](int count) { return count > 1; }); shared > 0)
         notes.push_back("nodes with several parents, against glTF's rules, drawn once for each: " +

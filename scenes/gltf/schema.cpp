@@ -38,7 +38,7 @@ struct Rule {
 using enum ValueKind;
 
 const Rule rules[] = {
-    {"asset!/version!", text},
+    {"asset!/version!|minVersion", text},
     {"meshes|nodes|scenes|materials|images|cameras/*/name", text},
     {"extensionsUsed|extensionsRequired/*", text},
     {"extensions/KHR_lights_punctual/lights/*/type!", text},
@@ -251,6 +251,10 @@ void check_schema(const std::filesystem::path& file, const json& gltf) {
     if (!version.starts_with("2."))
         refuse(file, "/asset/version",
                "expected 2.0, found \"" + version + "\"; convert the file to glTF 2.0");
+    const std::string least = gltf["asset"].value("minVersion", "2.0");
+    if (least != "2.0" && !least.starts_with("1."))
+        refuse(file, "/asset/minVersion",
+               "expected at most 2.0, found \"" + least + "\"; convert the file to glTF 2.0");
 }
 
 }  // namespace zproof

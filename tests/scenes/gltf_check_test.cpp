@@ -166,6 +166,37 @@ TEST(GltfCheck, NamesNodesThatAreNoTree) {
         expect_refused(fault);
 }
 
+TEST(GltfCheck, NamesANodeThatReadersPlaceDifferently) {
+    const std::string matrix = R"("matrix": [2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1])";
+    for (const char* part :
+         {R"("translation": [0, 0, 0])", R"("rotation": [0, 0, 0, 1])", R"("scale": [1, 1, 1])"})
+        expect_refused({"/nodes", ("[{" + matrix + ", " + part + "}]").c_str(),
+                        "/nodes/0: has a matrix beside translation, rotation or scale; expected either"});
+}
+
+TEST(GltfCheck, NamesWeightsThatAreNotOneForEachMorphTarget) {
+    for (const Fault& fault :
+         {Fault{"/nodes/0/weights", "[1]",
+                "/nodes/0/weights: has 1 numbers, a primitive of the mesh 0 morph targets; expected as many"},
+          Fault{
+              "/meshes/0",
+              R"({"weights": [1], "primitives": [{"attributes": {"POSITION": 0}, "targets": [{}, {}]}]})",
+              "/meshes/0/weights: has 1 numbers, a primitive of the mesh 2 morph targets; expected as many"}})
+        expect_refused(fault);
+}
+
+TEST(GltfCheck, NamesAVersionThatANewerReaderIsNeededFor) {
+    for (const char* version : {"\"2.1\"", "\"3.0\"", "\"10.0\"", "\"\""})
+        expect_refused({"/asset/minVersion", version, "/asset/minVersion: expected at most 2.0, found"});
+    expect_refused(
+        {"/asset", R"({"version": "2.1", "minVersion": "2.1"})", "/asset/minVersion: expected at most 2.0"});
+    const TestFolder folder;
+    WrittenGltf gltf;
+    gltf.add_vec3(corners);
+    gltf.json["asset"] = {{"version", "2.1"}, {"minVersion", "2.0"}};
+    EXPECT_EQ(refusal_of(gltf.write(folder)), "loaded");
+}
+
 TEST(GltfCheck, NamesACameraThatProjectsNothing) {
     for (const Fault& fault :
          {Fault{"/cameras", R"([{"type": "perspective", "perspective": {"yfov": 3.2, "znear": 1}}])",
