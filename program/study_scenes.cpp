@@ -8,6 +8,7 @@
 #include "program/nearest_word.h"
 #include "program/scene_selection.h"
 #include "program/usage_error.h"
+#include "reports/notes.h"
 #include "scenes/filters/filter_scenes.h"
 #include "scenes/judged_ranges.h"
 #include "scenes/scene_error.h"
@@ -80,6 +81,7 @@ Loaded load(const StudyScene& scene, const AskedSize& asked, const CommonArgumen
     const Resolution natural = natural_resolution(scene),
                      size{asked.width.value_or(natural.width), asked.height.value_or(natural.height)};
     Loaded loaded = load(scene, size);
+    if (!common.is_quiet()) std::cerr << note_lines(loaded.scene.name, loaded.scene.notes);
     const auto other = std::ranges::find_if(loaded.views, [&](const View& view) {
         return (asked.width && view.width != size.width) || (asked.height && view.height != size.height);
     });

@@ -16,7 +16,7 @@ class Notes : public testing::Test {
     }
 
     std::string told(Words words) const {
-        words.insert(words.end(), {"--width", "16x12"});
+        words.insert(words.end(), {"--width", "16", "--height", "12"});
         return run(folder, words).err;
     }
 
@@ -31,6 +31,15 @@ TEST_F(Notes, OfOneSceneAreToldBesideItsResult) {
         quiet.push_back("-q");
         EXPECT_EQ(told(quiet), "") << words[0];
     }
+}
+
+TEST_F(Notes, AreToldByCommandsOfFilters) {
+    Words words{"filters", "explain", "m/a.obj",  "--view", "frame-all",
+                "--pixel", "8,6",     "--method", "nearest"};
+    const std::string note = "note: a: points, lines and curves skipped: 1\n";
+    EXPECT_TRUE(told(words).starts_with(note)) << told(words);
+    words.push_back("-q");
+    EXPECT_FALSE(told(words).starts_with(note)) << told(words);
 }
 
 TEST_F(Notes, OfSeveralScenesAreToldOncePerKind) {
