@@ -141,6 +141,17 @@ TEST(ConcaveFaces, TellsExactlyOnWhichSideACornerLies) {
     }
 }
 
+/// Double's own sum of products has the other sign.
+TEST(ConcaveFaces, TellsWhatDoubleTellsWrong) {
+    const auto first_triangle = [](const glm::vec3& corner, const glm::vec3& end) {
+        return face_at({-end, corner, end, glm::vec3(-end.x, end.y, 0)}).triangles[0];
+    };
+    EXPECT_EQ(first_triangle({0x1.bd95e4p-21f, 0x1.0c1c68p-21f, 0}, {13469749, 8104813, 0}),
+              glm::uvec3(3, 0, 1));
+    EXPECT_EQ(first_triangle({0x1.ea9b24p-23f, 0x1.8bb20cp-22f, 0}, {5253061, 8473653, 0}),
+              glm::uvec3(0, 1, 2));
+}
+
 TEST(ConcaveFaces, LeavesAFaceThatCrossesItselfAndSaysSo) {
     const Scene scene = face_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}});
     EXPECT_EQ(scene.triangles[1], glm::uvec3(0, 2, 3));
