@@ -115,7 +115,7 @@ TEST(ConcaveFaces, CoversCombsAndRandomStars) {
 
 /// Long teeth stand on a diagonal and lean along it: the box of each holds many corners on the line between
 /// its feet, and of hardly any can double's products tell that. Where each tooth asked each corner, this took
-/// half a minute.
+/// 18 s.
 TEST(ConcaveFaces, CutsThirtyThousandCornersOnADiagonal) {
     constexpr int teeth = 15000;
     Points corners;
