@@ -205,7 +205,7 @@ struct MergeArguments {
 
 struct ListArguments {
     CommonArguments common;
-    enum class Told { reasons, names } told = Told::reasons;
+    enum class Detail { reasons, names } detail = Detail::reasons;
 };
 
 struct GenerateArguments {

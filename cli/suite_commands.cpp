@@ -42,7 +42,7 @@ void print(const SuiteEntry& entry) {
 }  // namespace
 
 ExitCode execute(const ListArguments& arguments) {
-    if (arguments.told == ListArguments::Told::names) {
+    if (arguments.detail == ListArguments::Detail::names) {
         for (const std::string& name : all_names()) std::cout << name << "\n";
         return ExitCode::proven;
     }

@@ -17,7 +17,7 @@ namespace zproof {
 /// otherwise the constructor throws ReportError and touches nothing. The destructor removes what was not
 /// published.
 ///
-/// Of the files in a folder that it replaces only those that .zproof-out lists go, and only where they are as
+/// It replaces only those files in a folder that .zproof-out lists, and only where they are as
 /// they were written. Everything else is moved into the new folder, under its own name or, where that is
 /// taken, NAME.kept.
 class OutputFolder {

@@ -38,7 +38,7 @@ struct Image {
     std::string name;
     int width = 0, height = 0;
     std::vector<std::uint8_t> texels;
-    /// Of a texture of floats: linear light, one RGBA a texel; `texels` are the codes nearest to it. Else
+    /// For a texture of floats: linear light, one RGBA a texel; `texels` are the codes nearest to it. Else
     /// empty.
     std::vector<glm::vec4> light{};
 };

@@ -17,7 +17,7 @@ using Bytes = Bulk<unsigned char>;
 /// Reads a regular file of at most limit bytes. Throws SceneError for anything else.
 Bytes read_file(const std::filesystem::path& file, std::uint64_t limit);
 
-/// Of UTF-8. It is no part of the text.
+/// UTF-8's mark, no part of the text.
 inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// The bytes as UTF-8, without a byte order mark. Throws SceneError for UTF-16.

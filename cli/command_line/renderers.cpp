@@ -190,7 +190,7 @@ Branch add_list(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("list", "the built-in suite: each scene with its reason");
     add_common(app, words.list.common);
     app.add_flag_callback(
-        "--names", [&words] { words.list.told = ListArguments::Told::names; },
+        "--names", [&words] { words.list.detail = ListArguments::Detail::names; },
         "the names alone, one on a line");
     return {&app, [&words] { return command_of(words.list, "cannot list the suite"); }};
 }

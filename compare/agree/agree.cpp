@@ -147,7 +147,7 @@ class BandScan {
     Agreement& found_;
     ViewRay<double> first_pixel_;
     std::unordered_map<PrimitiveId, Depths> of_triangle_;
-    /// Of one row; runs are read and written beyond their ends, from left to right.
+    /// Works on one row. Runs are read and written beyond their ends, from left to right.
     std::vector<float> candidate_depths_, reference_depths_;
     std::vector<double> candidate_errors_, reference_errors_;
     std::vector<double>

@@ -24,9 +24,9 @@ std::string unjudgeable(const Camera& camera, const Precision& precision);
 /// What a renderer's precision means for one view.
 class ViewBounds {
   public:
-    /// Of the depths that are compared. Throws FrameError where it is unjudgeable().
+    /// The bounds of the depths that are compared. Throws FrameError where it is unjudgeable().
     ViewBounds(const View& view, const Precision& precision);
-    /// Of the depths that a frame shows: of another kind, or stored in steps.
+    /// The bounds of the depths that a frame shows: of another kind, or stored in steps.
     static ViewBounds of_shown(const View& view, const Precision& precision);
 
     TriangleExtent extent_of(const CornersWorld& p_world) const { return facts_.extent_of(p_world); }

@@ -22,7 +22,7 @@ struct ViewRay {
     ViewRay(const View& view, int pixel_x, int pixel_y);
 };
 
-/// Of a point that lies so far from the ray's origin.
+/// The camera depth of a point that lies so far from the ray's origin.
 template <class Number>
 Number camera_depth(const ViewRay<Number>& ray, const Vector3<Number>& from_origin) {
     const Vector3<Number> along = cross(ray.step_x, ray.step_y);

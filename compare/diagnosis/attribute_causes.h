@@ -9,8 +9,8 @@
 
 namespace zproof {
 
-/// Of the pixels of class wrong_attribute; nothing where there are none. The cause is that of the attribute
-/// with the most wrong values, `further` are those of others, where one is certain.
+/// Diagnoses the pixels of class wrong_attribute; nothing where there are none. The cause is that of the
+/// attribute with the most wrong values, `further` are those of others, where one is certain.
 std::optional<Diagnosis> diagnose_attributes(const DiagnosisInput& input, const Verdict& verdict);
 
 }  // namespace zproof

@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "filters/conformance/picture_format.h"
 #include "filters/conformance/stochastic_conformance.h"
 #include "frame/joined.h"
 
@@ -199,12 +200,16 @@ CheckPower power_of(const FilterFixture& fixture, const FilterClaim& claim, cons
     suspects.take(is_unseen);
     const std::vector<bool> seen_without_geometry =
         have_pixels_outside(suspects.pictures, reference, without_geometry(claim.precision));
+    constexpr FilterPrecision in_codes{.code_error = 0.5};
+    const Picture right_codes = as_stored(selftest::picture_under({}, fixture, claim), in_codes);
     std::vector<Picture> unproven;
     for (std::size_t i = 0; i < suspects.defects.size(); ++i) {
         const auto& [change, kind] = suspects.defects[i];
         power.admitted.push_back(change.name);
         if (kind == DefectKind::other) continue;
-        if (kind == DefectKind::simpler_method && !seen_without_geometry[i]) continue;
+        const bool is_visible =
+            !std::ranges::equal(as_stored(suspects.pictures[i], in_codes).pixels(), right_codes.pixels());
+        if (kind == DefectKind::simpler_method && !(seen_without_geometry[i] && is_visible)) continue;
         power.unproven.push_back(change.name);
         unproven.push_back(suspects.pictures[i]);
     }

@@ -14,8 +14,9 @@ namespace zproof {
 enum class DefectKind {
     beyond_promise,  ///< Half a texel or level beyond what is promised of places and the LOD: nothing is
                      ///< proved of them.
-    simpler_method,  ///< Nothing is proved of the method, unless the promise itself admits the simpler one.
-    other            ///< Nothing: it may be as small as the picture makes it.
+    simpler_method,  ///< Nothing is proved of the method, unless the promise itself admits the simpler one,
+                     ///< or its picture has the same 8-bit sRGB codes.
+    other  ///< Nothing: it may be as small as the picture makes it.
 };
 
 /// A defect that a picture could have had.

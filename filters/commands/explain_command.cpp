@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "filters/commands/commands.h"
-#include "filters/commands/configured_method.h"
+#include "filters/commands/study_method.h"
 #include "filters/reference/admissible_surfaces.h"
 #include "filters/report/inspection_words.h"
 #include "frame/number_text.h"
@@ -38,14 +38,14 @@ ExitCode execute(const FiltersExplainArguments& arguments) {
     const StudyScene source = study_scenes({arguments.scene}).front();
     const Loaded loaded = load(source, {arguments.width, arguments.height}, arguments.common);
     const View view = view_of(loaded, arguments);
-    std::vector<study::ConfiguredMethod> methods;
-    for (const FilterChoice& choice : arguments.methods) methods.push_back(configured(choice));
+    std::vector<study::StudyMethod> methods;
+    for (const FilterChoice& choice : arguments.methods) methods.push_back(study_method(choice));
     std::optional<ClaimedPixel> claimed;
     on_threads(arguments.common.threads, [&] {
         if (!arguments.picture.empty()) claimed = claimed_pixel(arguments, loaded.scene, view);
         const Frame frame = oracle::exact_visibility(loaded.scene, view);
         const study::Inspector inspector(loaded.scene, view, frame, arguments.truth);
-        for (const study::ConfiguredMethod& method : methods) {
+        for (const study::StudyMethod& method : methods) {
             const study::PixelInspection one = inspector.at(method, {arguments.pixel}).front();
             std::cout << (arguments.common.is_quiet() ? in_a_line(one) : in_words(one));
         }

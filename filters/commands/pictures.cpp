@@ -120,8 +120,8 @@ Picture picture_in(const std::filesystem::path& file, const View& view) {
     return oracle::read_stored_picture(file, view, time_limit);
 }
 
-study::ConfiguredMethod configured(const PictureChoice& choice) {
-    using Views = study::ConfiguredMethod::Views;
+study::StudyMethod study_method(const PictureChoice& choice) {
+    using Views = study::StudyMethod::Views;
     return {.label = choice.name,
             .texturing = {.method = {choice.name, card_of(choice), {}}},
             .paint = [choice](const Scene& scene, const View& view,

@@ -51,6 +51,6 @@ void require_a_file_for_each(const std::vector<PictureChoice>& pictures, std::si
 Picture picture_in(const std::filesystem::path& file, const View& view);
 
 /// The picture as a method of the study. It throws study::RendererFailure where there is none.
-study::ConfiguredMethod configured(const PictureChoice& choice);
+study::StudyMethod study_method(const PictureChoice& choice);
 
 }  // namespace zproof

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "filters/commands/commands.h"
-#include "filters/commands/configured_method.h"
 #include "filters/commands/evidence_files.h"
+#include "filters/commands/study_method.h"
 #include "filters/commands/view_evidence.h"
 #include "filters/report/folder.h"
 #include "filters/report/provenance.h"
@@ -41,8 +41,8 @@ study::Plan plan_of(const FiltersRunArguments& arguments) {
                      .truth = arguments.truth,
                      .light = has_floats ? LightRange::beyond_white : LightRange::up_to_white,
                      .flicker_steps = arguments.flicker_steps};
-    for (const FilterChoice& choice : arguments.methods) plan.methods.push_back(configured(choice));
-    for (const PictureChoice& picture : arguments.pictures) plan.methods.push_back(configured(picture));
+    for (const FilterChoice& choice : arguments.methods) plan.methods.push_back(study_method(choice));
+    for (const PictureChoice& picture : arguments.pictures) plan.methods.push_back(study_method(picture));
     return plan;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "filters/commands/configured_method.h"
+#include "filters/commands/study_method.h"
 #include "filters/reference/admissible_surfaces.h"
 #include "filters/report/inspection_json.h"
 #include "filters/study/inspection.h"
@@ -35,7 +35,7 @@ std::vector<PixelCoord> farthest_outside(const ClaimedPicture& claimed) {
 
 /// Adds what the method reads at pixels of which that is not told yet.
 void tell(std::vector<study::PixelInspection>& all, const study::Inspector& inspector,
-          const study::ConfiguredMethod& method, std::vector<PixelCoord> pixels) {
+          const study::StudyMethod& method, std::vector<PixelCoord> pixels) {
     std::erase_if(pixels, [&](const PixelCoord& pixel) {
         return std::ranges::any_of(all, [&](const study::PixelInspection& one) {
             return one.label == method.label && one.x == pixel.x && one.y == pixel.y;
@@ -79,18 +79,18 @@ void ViewEvidenceWriter::map(const std::string& label, const PictureMetric& metr
     if (planes_ && metric.name == "flip") planes_->add_flip(label, map);
 }
 
-std::vector<study::ConfiguredMethod> ViewEvidenceWriter::told_methods(const StudiedView& studied) const {
-    std::vector<study::ConfiguredMethod> told;
-    const auto add = [&](const study::ConfiguredMethod& method) {
-        if (std::ranges::find(told, method.label, &study::ConfiguredMethod::label) == told.end())
+std::vector<study::StudyMethod> ViewEvidenceWriter::told_methods(const StudiedView& studied) const {
+    std::vector<study::StudyMethod> told;
+    const auto add = [&](const study::StudyMethod& method) {
+        if (std::ranges::find(told, method.label, &study::StudyMethod::label) == told.end())
             told.push_back(method);
     };
     for (const study::MethodPixels& shown : worst_) {
         const PictureClaim* const claim = find_claim(studied.pictures, shown.label);
         if (claim)
-            add(configured(claim->method));
+            add(study_method(claim->method));
         else if (const auto method =
-                     std::ranges::find(studied.plan.methods, shown.label, &study::ConfiguredMethod::label);
+                     std::ranges::find(studied.plan.methods, shown.label, &study::StudyMethod::label);
                  method != studied.plan.methods.end())
             add(*method);
     }
@@ -99,7 +99,7 @@ std::vector<study::ConfiguredMethod> ViewEvidenceWriter::told_methods(const Stud
 
 void ViewEvidenceWriter::add_inspected(const study::Inspector& inspector, const StudiedView& studied,
                                        const CropBox& box) {
-    for (const study::ConfiguredMethod& method : told_methods(studied))
+    for (const study::StudyMethod& method : told_methods(studied))
         for (int first = box.y; first < box.y + box.height; first += rows_at_once) {
             const int last = std::min(first + rows_at_once, box.y + box.height);
             std::vector<PixelCoord> pixels;
@@ -117,11 +117,10 @@ nlohmann::json ViewEvidenceWriter::inspections(const study::Inspector& inspector
                                                const StudiedView& studied) const {
     std::vector<study::PixelInspection> all;
     for (const study::ChosenPixels& chosen : study::chosen_pixels(worst_, most_inspections)) {
-        const auto method =
-            std::ranges::find(studied.plan.methods, chosen.label, &study::ConfiguredMethod::label);
+        const auto method = std::ranges::find(studied.plan.methods, chosen.label, &study::StudyMethod::label);
         if (method != studied.plan.methods.end()) tell(all, inspector, *method, chosen.pixels);
         if (const PictureClaim* claim = find_claim(studied.pictures, chosen.label))
-            tell(all, inspector, configured(claim->method), chosen.pixels);
+            tell(all, inspector, study_method(claim->method), chosen.pixels);
     }
     return to_json(all);
 }

@@ -40,12 +40,12 @@ class ViewEvidenceWriter {
     void write(const std::filesystem::path& folder, const StudiedView& studied) &&;
 
   private:
-    /// Of the worst pixels.
+    /// Rows of the worst pixels.
     nlohmann::json inspections(const study::Inspector& inspector, const StudiedView& studied) const;
     /// Adds what is read at every pixel of the box.
     void add_inspected(const study::Inspector& inspector, const StudiedView& studied, const CropBox& box);
     /// What pictures are of, or claim to be of.
-    std::vector<study::ConfiguredMethod> told_methods(const StudiedView& studied) const;
+    std::vector<study::StudyMethod> told_methods(const StudiedView& studied) const;
 
     std::optional<EvidencePlanes> planes_;
     Picture truth_;

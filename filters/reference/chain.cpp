@@ -33,7 +33,7 @@ double bessel_i0(double x) {
     return sum;
 }
 
-/// Of width 3 and alpha 4, as NVIDIA Texture Tools has it.
+/// Kaiser's window of width 3 and alpha 4, as NVIDIA Texture Tools has it.
 double kaiser(double x) {
     if (std::abs(x) >= 3) return 0;
     const double angle = std::numbers::pi * x, window = bessel_i0(4 * std::sqrt((1 - x / 3) * (1 + x / 3)));

@@ -41,7 +41,7 @@ Texture2d bound_texture(int width, int height, const glm::vec4* texels) {
     return texture;
 }
 
-/// Of one level.
+/// A texture of one level.
 Texture2d plane_texture(const Plane<glm::vec4>& plane) {
     const auto [width, height] = plane.size();
     Texture2d texture = bound_texture(width, height, plane.pixels().data());

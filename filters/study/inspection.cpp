@@ -116,7 +116,7 @@ namespace {
 
 /// Not of a sampler of others, and not where levels are given: what they are made of nobody says. Where codes
 /// are filtered the weights are not those of light.
-bool has_known_weights(const ConfiguredMethod& method) {
+bool has_known_weights(const StudyMethod& method) {
     const texture::FilterOptions& options = method.texturing.options;
     return !method.paint && !options.given_levels && options.decoding == texture::Decoding::before_filtering;
 }
@@ -129,7 +129,7 @@ bool tells_what_it_keeps(const Sampler& sampler) {
 /// What a method keeps of one texture, made when first asked for.
 class MethodSamplers {
   public:
-    MethodSamplers(const ConfiguredMethod& method, const SourceTextures& sources)
+    MethodSamplers(const StudyMethod& method, const SourceTextures& sources)
         : method_(method), sources_(sources), made_(sources.size()) {}
 
     const Sampler& of(int material) {
@@ -141,7 +141,7 @@ class MethodSamplers {
     }
 
   private:
-    const ConfiguredMethod& method_;
+    const StudyMethod& method_;
     const SourceTextures& sources_;
     std::vector<std::optional<Sampler>> made_;
 };
@@ -155,7 +155,7 @@ Inspector::Inspector(const Scene& scene, const View& view, const Frame& frame, o
       sources_(source_textures(scene)),
       weights_(scene, view, truth) {}
 
-Inspector::Seen Inspector::seen_at(const ConfiguredMethod& method, const PixelCoord& pixel) const {
+Inspector::Seen Inspector::seen_at(const StudyMethod& method, const PixelCoord& pixel) const {
     Seen seen;
     PixelInspection& one = seen.inspection;
     one.x = pixel.x, one.y = pixel.y, one.label = method.label;
@@ -191,7 +191,7 @@ void Inspector::weigh(Seen& seen) const {
         one.findings = findings_of(one.ellipse, one.reading->shape, one.exact->shape);
 }
 
-std::vector<PixelInspection> Inspector::at(const ConfiguredMethod& method,
+std::vector<PixelInspection> Inspector::at(const StudyMethod& method,
                                            const std::vector<PixelCoord>& pixels) const {
     std::vector<Seen> all;
     MethodSamplers samplers(method, sources_);

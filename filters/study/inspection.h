@@ -93,8 +93,7 @@ class Inspector {
     Inspector(const Scene& scene, const View& view, const Frame& frame, oracle::Reconstruction truth);
 
     /// Pixels of one method, in their order, on the threads of the surrounding tbb::task_arena.
-    std::vector<PixelInspection> at(const ConfiguredMethod& method,
-                                    const std::vector<PixelCoord>& pixels) const;
+    std::vector<PixelInspection> at(const StudyMethod& method, const std::vector<PixelCoord>& pixels) const;
 
   private:
     /// A pixel without its weights.
@@ -102,7 +101,7 @@ class Inspector {
         PixelInspection inspection;
         int material = -1;  ///< -1: no texture
     };
-    Seen seen_at(const ConfiguredMethod& method, const PixelCoord& pixel) const;
+    Seen seen_at(const StudyMethod& method, const PixelCoord& pixel) const;
     void weigh(Seen& seen) const;
 
     const Scene& scene_;

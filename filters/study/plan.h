@@ -20,7 +20,7 @@ struct RendererFailure : std::runtime_error {
 };
 
 /// A method with its settings, as somebody asked for it.
-struct ConfiguredMethod {
+struct StudyMethod {
     std::string label;  ///< unique within a plan
     rasterizer::Texturing texturing;
     /// Draws the textures of a frame in place of rasterizer::filtered: a sampler or a renderer of others.
@@ -31,7 +31,7 @@ struct ConfiguredMethod {
 };
 
 struct Plan {
-    std::vector<ConfiguredMethod> methods;
+    std::vector<StudyMethod> methods;
     oracle::Reconstruction truth = oracle::Reconstruction::bilinear;
     LightRange light = LightRange::up_to_white;  ///< which metrics are measured
     int flicker_steps = 2;  ///< further views, each shifted by flicker_step_px; 0: flicker is not measured

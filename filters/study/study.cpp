@@ -86,20 +86,20 @@ class MeasuredView {
         lookups_ = lookups(scene, view, counted, most_lookups);
     }
 
-    MethodScore score(const ConfiguredMethod& configured_method, const ProgressSink& progress_sink) const {
+    MethodScore score(const StudyMethod& method, const ProgressSink& progress_sink) const {
         std::vector<LinearPicture> pictures;
-        const bool is_still = configured_method.views == ConfiguredMethod::Views::still;
+        const bool is_still = method.views == StudyMethod::Views::still;
         for (std::size_t k = 0; k < (is_still ? 1 : pan_.views.size()); ++k) {
-            const Picture picture = painted(configured_method, k);
-            if (k == 0) progress_sink.is_shown(configured_method.label, picture);
+            const Picture picture = painted(method, k);
+            if (k == 0) progress_sink.is_shown(method.label, picture);
             pictures.push_back(in_double(picture));
         }
         const auto visit = [&](const PictureMetric& metric, const Plane<double>& map) {
-            if (progress_sink.is_mapped) progress_sink.is_mapped(configured_method.label, metric, map);
+            if (progress_sink.is_mapped) progress_sink.is_mapped(method.label, metric, map);
         };
-        return {.label = configured_method.label,
+        return {.label = method.label,
                 .regions = scores(pictures[0], pan_.truths[0], half_width_, regions_, {metrics_, visit}),
-                .cost = cost(configured_method),
+                .cost = cost(method),
                 .flicker = flicker(pictures, pan_.truths, steady_),
                 .file = {}};
     }
@@ -110,15 +110,15 @@ class MeasuredView {
     std::string texture_sizes() const { return sizes_of(textures_); }
 
   private:
-    Picture painted(const ConfiguredMethod& configured_method, std::size_t k) const {
-        if (configured_method.paint) return configured_method.paint(scene_, pan_.views[k], pan_.frames[k]);
-        return rasterizer::filtered(scene_, pan_.views[k], pan_.frames[k], configured_method.texturing);
+    Picture painted(const StudyMethod& method, std::size_t k) const {
+        if (method.paint) return method.paint(scene_, pan_.views[k], pan_.frames[k]);
+        return rasterizer::filtered(scene_, pan_.views[k], pan_.frames[k], method.texturing);
     }
 
     /// Nobody counts what a sampler of others reads.
-    Cost cost(const ConfiguredMethod& configured_method) const {
+    Cost cost(const StudyMethod& method) const {
         constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-        if (!configured_method.paint) return cost_of(configured_method.texturing, textures_, lookups_);
+        if (!method.paint) return cost_of(method.texturing, textures_, lookups_);
         return {.texels = unknown,
                 .lines = unknown,
                 .build_ms = unknown,
@@ -147,7 +147,7 @@ StudyResults begun(const Plan& plan) {
         results.metrics.push_back({std::string{m.name}, std::string{m.definition}, std::string{m.source},
                                    m.better == Better::higher, m.decimals});
     results.regions = region_cards();
-    for (const ConfiguredMethod& c : plan.methods) {
+    for (const StudyMethod& c : plan.methods) {
         const texture::DefinitionCard& card = c.texturing.method.card;
         results.methods.push_back({c.label, card.footprint, card.lod, card.taps, card.source});
     }
@@ -169,13 +169,13 @@ ViewStudy study_view(const Scene& scene, const View& view, const Plan& plan,
                     .methods = {},
                     .truth_file = {},
                     .truth_seconds = measured_view.truth_seconds()};
-    for (const ConfiguredMethod& configured_method : plan.methods) {
+    for (const StudyMethod& method : plan.methods) {
         if (progress_sink.wants_to_stop()) break;
-        progress_sink.begins(configured_method.label, 1);
+        progress_sink.begins(method.label, 1);
         try {
-            study.methods.push_back(measured_view.score(configured_method, progress_sink));
+            study.methods.push_back(measured_view.score(method, progress_sink));
         } catch (const RendererFailure& e) {
-            study.missing.push_back({configured_method.label, e.what()});
+            study.missing.push_back({method.label, e.what()});
         }
     }
     return study;

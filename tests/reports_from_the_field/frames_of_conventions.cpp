@@ -11,7 +11,7 @@ namespace zproof::field_reports {
 
 namespace {
 
-/// Pixel (x, y) holds what belongs to the index-th pixel.
+/// Pixel (x, y) holds what belongs to the index-th pixel; beyond all pixels nothing.
 std::function<Shown()> stored(const View& view, const std::function<int(int x, int y)>& index_at) {
     return [=] {
         const Scene scene = yard();
@@ -20,6 +20,11 @@ std::function<Shown()> stored(const View& view, const std::function<int(int x, i
         for (int y = 0; y < view.height; ++y)
             for (int x = 0; x < view.width; ++x) {
                 const auto from = std::size_t(index_at(x, y));
+                if (from >= good.primitive.pixels().size()) {
+                    frame.primitive.at(x, y) = PrimitiveId::none;
+                    frame.camera_depth.at(x, y) = background_depth;
+                    continue;
+                }
                 frame.primitive.at(x, y) = good.primitive.pixels()[from];
                 frame.camera_depth.at(x, y) = good.camera_depth.pixels()[from];
             }
@@ -40,7 +45,7 @@ std::function<Shown()> posed(const std::function<void(Camera&, const glm::dmat3&
 void set_axes(Camera& c, const glm::dmat3& axes) { c.right = axes[0], c.up = axes[1], c.back = axes[2]; }
 
 std::vector<FieldFrame> of_read_backs() {
-    const View view = view_of_yard(72, 48), square = view_of_yard(64, 64);
+    const View view = view_of_yard(72, 48), narrow = view_of_yard(70, 48), square = view_of_yard(64, 64);
     const int w = view.width, h = view.height, side = square.width;
     return {
         {"columns_first",
@@ -59,6 +64,18 @@ std::vector<FieldFrame> of_read_backs() {
          {"the image is turned by a quarter turn, clockwise"},
          "a phone's picture without its EXIF orientation",
          stored(square, [=](int x, int y) { return (side - 1 - x) * side + y; })},
+        {"rows_padded",
+         {"rows are read without their padding"},
+         "GL_PACK_ALIGNMENT: rows begin at multiples of four bytes",
+         stored(narrow,
+                [=](int x, int y) {
+                    const int at = y * narrow.width + x, pitch = narrow.width + 2;
+                    return at % pitch < narrow.width ? at / pitch * narrow.width + at % pitch : -1;
+                })},
+        {"rows_not_padded",
+         {"rows are read with padding that they do not have"},
+         "a row pitch that was asked of another surface",
+         stored(view, [=](int x, int y) { return y * (w + 1) + x; })},
         {"rows_from_below_off_by_one",
          {"the image is flipped in y, a row aside"},
          "row H - y for H - 1 - y",

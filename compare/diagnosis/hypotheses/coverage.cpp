@@ -144,7 +144,7 @@ Hypothesis over(const DiagnosisInput& input) {
     return h;
 }
 
-/// Of a triangle's bounding box the last column, the last row, or both are not drawn: those whose centres it
+/// The last column or row of a triangle's bounding box, or both, are not drawn: those whose centres it
 /// holds last, or those that its side lies in.
 std::vector<Hypothesis> short_boxes(const DiagnosisInput& input) {
     struct Sides {

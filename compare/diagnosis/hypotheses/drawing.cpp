@@ -212,7 +212,7 @@ Hypothesis lost_triangles(const DiagnosisInput& input) {
     return h;
 }
 
-/// Of which the reference shows something, and the candidate nothing.
+/// Objects of which the reference shows something, and the candidate nothing.
 std::vector<Part> parts_never_drawn(const DiagnosisInput& input) {
     const auto triangles_of = [](const Frame& frame) {
         std::vector<std::uint32_t> shown;

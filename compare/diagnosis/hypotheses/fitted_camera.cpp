@@ -133,7 +133,7 @@ constexpr CameraModel lens_model{
                      "none."};
     }};
 
-/// Of the window alone; what takes fewer numbers first.
+/// Fits of the window alone; what takes fewer numbers first.
 constexpr std::array window_models{
     CameraModel{1, [](const View& v, const Numbers& n, double) { return in_place(scaled(v, n[0], n[0])); },
                 [](const View&, const Numbers& n, double) {
@@ -186,7 +186,7 @@ std::string turned_text(double x, double y, double z) {
            fitted_text(z * degrees) + ") degrees about its axes";
 }
 
-/// Of the pose alone; what takes fewer numbers first.
+/// Fits of the pose alone; what takes fewer numbers first.
 constexpr std::array pose_models{
     CameraModel{3,
                 [](const View& v, const Numbers& n, double unit) {
@@ -226,7 +226,7 @@ struct PlaneTerm {
     double offset;
 };
 
-/// Of that share of all they are no larger.
+/// The value that a share of all does not exceed.
 double quantile(std::vector<double> values, double share) {
     if (values.empty()) return std::numeric_limits<double>::infinity();
     const auto place = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));

@@ -75,6 +75,40 @@ Hypothesis rearranged(const DiagnosisInput& input, const Cause& cause, From from
     return h;
 }
 
+/// Rows stand so many pixels apart in the file, and fewer or more were supposed.
+std::vector<Hypothesis> hypotheses_of_row_pitch(const DiagnosisInput& input) {
+    const int wide = input.view.width;
+    std::vector<int> pitches{wide - 1, wide + 1};
+    for (const int multiple : {4, 8, 16, 32, 64})
+        pitches.push_back((wide + multiple - 1) / multiple * multiple);
+    std::ranges::sort(pitches);
+    pitches.erase(std::unique(pitches.begin(), pitches.end()), pitches.end());
+    std::erase_if(pitches, [&](int pitch) { return pitch == wide || pitch < 1; });
+    std::vector<Hypothesis> all;
+    for (const int pitch : pitches) {
+        const std::string apart = std::to_string(pitch) + " pixels apart";
+        const char* look_at = "Look at the row pitch (stride) of the buffer that is read back.";
+        all.push_back(rearranged(
+            input,
+            {"rows are read without their padding",
+             "Rows are stored " + apart + ", and read " + std::to_string(wide) + " apart.", look_at},
+            [=](int x, int y) {
+                const int at = y * wide + x;
+                if (at % pitch >= wide) return Place{x, y};  // padding, which may hold anything
+                return Place{at % pitch, at / pitch};
+            }));
+        all.push_back(rearranged(
+            input,
+            {"rows are read with padding that they do not have",
+             "Rows are stored " + std::to_string(wide) + " pixels apart, and read " + apart + ".", look_at},
+            [=](int x, int y) {
+                const int at = y * pitch + x;
+                return Place{at % wide, at / wide};
+            }));
+    }
+    return all;
+}
+
 }  // namespace
 
 View shifted_view(const View& view, const glm::dvec2& step_px) {
@@ -162,7 +196,8 @@ std::vector<Hypothesis> hypotheses_of_place(const DiagnosisInput& input) {
         for (const int dy : {0, -1, 1})
             for (const int dx : {0, -1, 1})
                 if (dx != 0 || dy != 0) all.push_back(shifted(input, size * glm::dvec2(dx, dy)));
-    std::ranges::move(hypotheses_of_sample(input), std::back_inserter(all));
+    for (const auto& some : {hypotheses_of_row_pitch, hypotheses_of_sample})
+        std::ranges::move(some(input), std::back_inserter(all));
     return all;
 }
 

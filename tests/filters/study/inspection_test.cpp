@@ -53,14 +53,12 @@ class OnTheWorkedPlane : public testing::Test {
     Frame frame_ = oracle::exact_visibility(loaded_.scene, view_);
     Inspector inspector_{loaded_.scene, view_, frame_, oracle::Reconstruction::nearest};
 
-    static ConfiguredMethod method(const char* name) {
-        return {name, {.method = *texture::find_method(name)}};
-    }
+    static StudyMethod method(const char* name) { return {name, {.method = *texture::find_method(name)}}; }
 };
 
 TEST_F(OnTheWorkedPlane, TheTapsGiveThePixelThatThePictureHas) {
     for (const char* name : {"nearest", "trilinear-gl", "ewa-true", "sat-affine", "ripmap"}) {
-        const ConfiguredMethod one = method(name);
+        const StudyMethod one = method(name);
         const Picture picture = rasterizer::filtered(loaded_.scene, view_, frame_, one.texturing);
         for (const PixelInspection& found : inspector_.at(one, {{10, 60}, {31, 30}, {50, 20}})) {
             ASSERT_TRUE(found.reading) << name;
@@ -109,7 +107,7 @@ TEST_F(OnTheWorkedPlane, WhatManySumsOfSumsAreMadeOfIsNotTold) {
 }
 
 TEST_F(OnTheWorkedPlane, WhatGivenLevelsAreMadeOfIsNotTold) {
-    ConfiguredMethod own = method("trilinear-gl");
+    StudyMethod own = method("trilinear-gl");
     own.texturing.options.given_levels = std::make_shared<const std::vector<texture::LinearImage>>();
     const PixelInspection found = inspector_.at(own, {{31, 30}}).front();
     EXPECT_FALSE(found.reading);
@@ -117,7 +115,7 @@ TEST_F(OnTheWorkedPlane, WhatGivenLevelsAreMadeOfIsNotTold) {
 }
 
 TEST_F(OnTheWorkedPlane, WhatOthersReadIsNotRecorded) {
-    ConfiguredMethod foreign = method("nearest");
+    StudyMethod foreign = method("nearest");
     foreign.paint = [](const Scene&, const View&, const Frame&) { return Picture{}; };
     const PixelInspection found = inspector_.at(foreign, {{31, 30}}).front();
     EXPECT_FALSE(found.reading);

@@ -7,6 +7,6 @@
 namespace zproof {
 
 /// Throws OracleError where a sampler of others is not on this machine.
-study::ConfiguredMethod configured(const FilterChoice& choice);
+study::StudyMethod study_method(const FilterChoice& choice);
 
 }  // namespace zproof

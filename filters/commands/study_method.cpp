@@ -1,11 +1,11 @@
-#include "filters/commands/configured_method.h"
+#include "filters/commands/study_method.h"
 
 #include "oracle/oracle_error.h"
 
 namespace zproof {
 
-study::ConfiguredMethod configured(const FilterChoice& choice) {
-    study::ConfiguredMethod method{choice.typed, choice.texturing};
+study::StudyMethod study_method(const FilterChoice& choice) {
+    study::StudyMethod method{choice.typed, choice.texturing};
     if (choice.other == nullptr) return method;
     if (const std::string absence = choice.other->absence(); !absence.empty())
         throw OracleError{choice.typed + ": " + absence};
