@@ -65,15 +65,15 @@ zproof::Frame lent_frame(const Candidate& candidate, Resolution size) {
     return frame;
 }
 
-/// What the judge takes: triangles and depths.
-zproof::Frame judged_frame(const Verdict::Data& data) {
+/// What the judge takes: triangles and depths. Ids alone promise no depth.
+zproof::Frame judged_frame(Verdict::Data& data) {
     const zproof::Scene& scene = data.scene.data().scene;
     const zproof::View& view = data.view.data().view;
-    const zproof::Frame& reference = data.reference.data().frame;
-    const auto& [word, ids, precision, labels, has_depth] = data.declared;
+    auto& [word, ids, precision, labels, has_depth] = data.declared;
     if (!has_depth) {
-        zproof::Frame with_depths = with_own_depths(scene, view, data.given.primitive, precision, reference);
-        with_depths.primitive = lent_frame({.id = ids_of(data.given)}, reference.size()).primitive;
+        zproof::Frame with_depths = with_own_depths(scene, view, data.given.primitive, precision);
+        with_depths.primitive = lent_frame({.id = ids_of(data.given)}, with_depths.size()).primitive;
+        precision = with_any_depth(precision, view, with_depths);
         return with_depths;
     }
     if (!labels)

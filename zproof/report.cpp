@@ -83,10 +83,15 @@ std::string write_ids(const Declared& declared, const fs::path& folder, const fs
     return (published / labels_file).string();
 }
 
-/// What --precision is given: words, or a copy of the file.
-std::string write_precision(const std::string& word, const fs::path& folder, const fs::path& published) {
-    if (is_promise_in_words(word)) return word;
-    fs::copy_file(word, folder / precision_file);
+/// What --precision is given: words, or a copy of the file; of ids alone, what they are judged by.
+std::string write_precision(const Declared& declared, const fs::path& folder, const fs::path& published) {
+    const std::string& word = declared.precision_word;
+    if (!declared.has_depth)
+        write_whole_file(folder / precision_file, precision_to_json(declared.precision));
+    else if (is_promise_in_words(word))
+        return word;
+    else
+        fs::copy_file(word, folder / precision_file);
     return (published / precision_file).string();
 }
 
@@ -106,7 +111,7 @@ Words write_input(const std::string& name, const Verdict::Data& data, const fs::
         (fs::path(folder) / (name + ".exr")).string(),
         (fs::path(folder) / (name + ".view.json")).string(),
         "--precision",
-        write_precision(data.declared.precision_word, out.working(), folder),
+        write_precision(data.declared, out.working(), folder),
         "--ids",
         write_ids(data.declared, out.working(), folder),
     };

@@ -17,9 +17,10 @@ namespace {
 /// Rows that are looked at together: so many share their triangles.
 constexpr int band_height = 32;
 
-/// What a triangle's depth may be by both renderers' bounds.
+/// What a triangle's depth may be by both renderers' bounds, as they show it, and as the candidate compares
+/// it.
 struct Depths {
-    TriangleDepth candidate, reference;
+    TriangleDepth candidate, reference, compared;
 };
 
 /// Pixels [first, end) of a row, which show the same: a triangle, or none of the scene's.
@@ -45,6 +46,7 @@ class BandScan {
           is_unproven_(is_unproven),
           maps_(maps),
           found_(found),
+          is_in_steps_(frames.candidate.shown_bounds.step_room(0) > 0),
           first_pixel_(frames.view, 0, 0) {
         const std::size_t padded = std::size_t(frames.view.width) + errors_together;
         for (auto* depths : {&candidate_depths_, &reference_depths_}) depths->resize(padded);
@@ -63,6 +65,8 @@ class BandScan {
         const Look candidate{our_ids, candidate_depths_, our_runs, &Depths::candidate},
             reference{their_ids, reference_depths_, their_runs, &Depths::reference};
         find_errors(candidate, y, candidate_errors_, reference_depths_.data(), theirs_by_ours_.data());
+        if (is_in_steps_)  // a step is of what is shown: it puts nothing in front
+            find_errors({our_ids, reference_depths_, our_runs, &Depths::compared}, y, theirs_by_ours_);
         find_errors(reference, y, reference_errors_);
         for (const Run& run : their_runs)
             for (std::size_t x = run.first; x < run.end; ++x) record(candidate, reference, run, {int(x), y});
@@ -89,7 +93,8 @@ class BandScan {
             const TriangleInView triangle(first_pixel_, frames_.candidate.bounds,
                                           corners_of(frames_.scene, std::uint32_t(id)));
             found->second = {TriangleDepth(triangle, frames_.candidate.shown_bounds),
-                             TriangleDepth(triangle, frames_.reference.shown_bounds)};
+                             TriangleDepth(triangle, frames_.reference.shown_bounds),
+                             TriangleDepth(triangle, frames_.candidate.bounds)};
         }
         return found->second;
     }
@@ -145,6 +150,7 @@ class BandScan {
     const Plane<std::uint8_t>& is_unproven_;
     ErrorMaps* maps_;
     Agreement& found_;
+    bool is_in_steps_;  ///< the candidate's depths
     ViewRay<double> first_pixel_;
     std::unordered_map<PrimitiveId, Depths> of_triangle_;
     /// Works on one row. Runs are read and written beyond their ends, from left to right.

@@ -37,11 +37,14 @@ Frame with_triangles(const Scene& scene, const View& view, const RenderedFrame& 
 /// (Wood)". Empty where it gives triangles.
 std::string label_sentence(const TriangleLabels& labels, PrimitiveId said);
 
-/// The frame of these ids with depths that no bound speaks against, as far as there are any: the depth of the
-/// named triangle's plane at the pixel's centre, rounded to float32, or the reference's. Background has
-/// +infinity; an id that no triangle has, 0. Runs on the threads of the surrounding tbb::task_arena; the
-/// result does not depend on their number. Planes have the view's size.
+/// The frame of these ids, each with the depth of the named triangle's plane at the pixel's centre, rounded
+/// to float32; 0 where there is none. Background has +infinity; an id that no triangle has, 0. Runs on the
+/// threads of the surrounding tbb::task_arena; the result does not depend on their number. Planes have the
+/// view's size.
 Frame with_own_depths(const Scene& scene, const View& view, const Plane<PrimitiveId>& ids,
-                      const Precision& precision, const Frame& reference);
+                      const Precision& precision);
+/// The promise of a renderer that shows such depths in steps so large that they say nothing: none is wrong.
+/// What decides which triangle is shown keeps its bounds.
+Precision with_any_depth(Precision precision, const View& view, const Frame& own_depths);
 
 }  // namespace zproof

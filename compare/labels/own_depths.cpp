@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "compare/bounds/pixel_coord.h"
@@ -34,21 +35,16 @@ class DepthOfLast {
     TriangleDepth depth_;
 };
 
-/// A depth within the bound, if float32 has one and it is easily found.
-float depth_within(const TriangleDepth& of, const PixelCoord& pixel, float of_reference,
-                   Projection projection) {
-    const DepthBound bound = of.at(pixel.x, pixel.y);
-    const auto truth = float(bound.truth);
-    if (of.certainly_holds(bound, truth)) return truth;
-    if (of.certainly_holds(bound, of_reference)) return of_reference;
-    const bool is_depth = std::isfinite(truth) && (truth >= 0 || projection == Projection::parallel);
-    return is_depth ? truth : 0;
+/// The true depth, where there is one that the renderer draws at.
+float depth_at(const TriangleDepth& of, const PixelCoord& pixel, double near_depth) {
+    const auto truth = float(of.at(pixel.x, pixel.y).truth);
+    return std::isfinite(truth) && (truth >= 0 || near_depth < 0) ? truth : 0;
 }
 
 }  // namespace
 
 Frame with_own_depths(const Scene& scene, const View& view, const Plane<PrimitiveId>& ids,
-                      const Precision& precision, const Frame& reference) {
+                      const Precision& precision) {
     Frame frame = Frame::unwritten(ids.size());
     const ViewBounds bounds = ViewBounds::of_shown(view, precision);
     tbb::parallel_for(0, view.height, [&](int y) {
@@ -62,11 +58,20 @@ Frame with_own_depths(const Scene& scene, const View& view, const Plane<Primitiv
             else if (std::size_t(id) >= scene.triangles.size())
                 own = 0;
             else
-                own = depth_within(depth.of(id), {x, y}, reference.camera_depth.at(x, y),
-                                   view.camera.projection);
+                own = depth_at(depth.of(id), {x, y}, bounds.near_depth());
         }
     });
     return frame;
+}
+
+/// Half a step is as far as from any of its depths to before near: nothing is certain to hide what may have
+/// been compared.
+Precision with_any_depth(Precision precision, const View& view, const Frame& own_depths) {
+    double largest = std::abs(view.camera.near_depth);
+    for (const float depth : own_depths.camera_depth.pixels())
+        if (std::isfinite(depth)) largest = std::max(largest, double(std::abs(depth)));
+    std::visit([&](auto& p) { p.depth_step = 4 * largest; }, precision);
+    return precision;
 }
 
 }  // namespace zproof

@@ -45,6 +45,49 @@ TEST(IdsAlone, OfEmbreeAreProvenWhateverTheDepthsPrecision) {
     }
 }
 
+/// No float32 lies within the bounds of what is never rounded.
+TEST(IdsAlone, AreProvenWhereNoFloat32WouldKeepThePromise) {
+    const Scene scene = Scene::load("room", {80, 45});
+    const View view = scene.views().front();
+    const Frame seen = trace(scene, view);
+    for (const char* precision : {"bounded,eps_px=1e-9,depth_relative=0",
+                                  "raster,transform=float64,subpixel_bits=16,snap=none,"
+                                  "interpolation=float64,depth_roundings=0"}) {
+        const Candidate whole{.id = seen.id(), .depth = seen.depth(), .precision = precision};
+        EXPECT_GT(judge(scene, view, whole).defect_count(), 0u);
+        EXPECT_EQ(judge(scene, view, {.id = seen.id(), .precision = precision}).defect_count(), 0u);
+    }
+}
+
+/// Two walls at depths of 256 and 256 + gap, where a step of the buffer is one of depth, and every bound two:
+/// that of z and of what tells it.
+std::string class_of_wall_behind(float gap, bool has_depth) {
+    std::vector<float> positions;
+    for (const float z : {-256.f, -256.f - gap})
+        for (const auto& [x, y] : {std::pair{-2000.f, -1000.f}, {2000.f, -1000.f}, {0.f, 3000.f}})
+            positions.insert(positions.end(), {x, y, z});
+    const std::vector<std::uint32_t> triangles{0, 1, 2, 3, 4, 5};
+    const Scene scene({.positions_world = positions, .triangles = triangles});
+    const View view =
+        View::perspective({.target = {0, 0, -1}, .near_depth = 1, .far_depth = 65536, .size = {4, 4}}, 1);
+    const std::vector<std::uint32_t> ids(16, 1);
+    const std::vector<float> depths(16, 256 + gap);
+    const Verdict verdict =
+        judge(scene, view,
+              {.id = ids,
+               .depth = has_depth ? std::span<const float>(depths) : std::span<const float>(),
+               .precision =
+                   "raster,depth_buffer=standard_z,depth_format=unorm16,depth_interpolation=barycentrics"});
+    return std::string(class_names()[verdict.classes()[5]]);
+}
+
+/// Either wall may be shown; the one behind wins only at a depth that is less than its true one.
+TEST(IdsAlone, OfAWallThatNeedsADepthBeforeItsOwnAreProven) {
+    EXPECT_EQ(class_of_wall_behind(1.5f, true), "wrong_depth");
+    EXPECT_EQ(class_of_wall_behind(1.5f, false), "depth_tie");
+    EXPECT_EQ(class_of_wall_behind(2.5f, false), "hidden");
+}
+
 TEST(IdsAlone, ThatAreWrongAreFound) {
     const Scene scene = Scene::load("room", {160, 90});
     const View view = scene.views().front();

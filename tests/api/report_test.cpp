@@ -44,6 +44,15 @@ class ApiReport : public testing::Test {
     std::vector<float> depth{ours.depth().begin(), ours.depth().end()};
 };
 
+/// The program is told a promise that says nothing of depths.
+TEST_F(ApiReport, OfIdsAloneSaysWhatTheVerdictSays) {
+    const Verdict said =
+        judge(scene, view, {.id = ours.id(), .precision = "bounded,eps_px=0.01,depth_relative=0"});
+    EXPECT_TRUE(said.is_proven());
+    save(said, (folder / "report").string());
+    EXPECT_TRUE(std::ranges::equal(results_in(folder / "report").views[0].counts, said.counts()));
+}
+
 TEST_F(ApiReport, SaysWhatTheVerdictSays) {
     const Verdict said = verdict();
     save(said, (folder / "report/").string());

@@ -111,6 +111,23 @@ TEST(HeldToThePromise, ADepthOfATriangleEdgeOnMayBeHalfAStepBeyondWhatHoldsIt) {
         EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::wrong_depth) << depth;
 }
 
+/// A step is of what is shown. The reference takes the wall behind for the nearer one, as it may by 1e-6; its
+/// depth is none that a finer renderer compares, and proves nothing to it.
+TEST(HeldToThePromise, DepthsInStepsAreNotProvenByAReferenceThatErsFarther) {
+    const auto class_by = [](double share, std::uint32_t shown) {
+        TestScene t(Projection::perspective, 2, 2, {wall(4), wall(4 * (1 + 0x1p-21))});
+        t.reference_precision = BoundedPrecision{.eps_px = 1e-9, .depth_relative = 1e-6};
+        t.candidate_precision =
+            BoundedPrecision{.eps_px = 1e-9, .depth_relative = share, .depth_step = 0.125};
+        answer_everywhere(t.reference, shown, 4 * (1 + 0x1p-20));
+        answer_everywhere(t.candidate, shown, 4);
+        return t.class_at(0, 0);
+    };
+    EXPECT_EQ(class_by(1e-8, 1), PixelClass::hidden);
+    EXPECT_EQ(class_by(1e-8, 0), PixelClass::agree);
+    EXPECT_TRUE(passes(class_by(1e-6, 1)));
+}
+
 TEST(HeldToThePromise, ARaysDepthOfATriangleEdgeOnMayBeHalfAStepBeyondThePlanes) {
     TestScene t = edge_on(Projection::perspective);
     auto in_steps = std::get<RayPrecision>(Precision(ray_precision()));

@@ -215,6 +215,18 @@ TEST(ALabel, NamesTheTriangleWhoseBoundReachesANegativeDepth) {
     EXPECT_EQ(named.primitive.at(1, 1), PrimitiveId(1));
 }
 
+/// No float32 lies within the bounds of what is never rounded.
+TEST(IdsAlone, AreHeldToNoDepth) {
+    TestScene t(Projection::perspective, 2, 2, {{{{-64, -64, 4}, {192, -64, 4.3}, {-64, 192, 4.7}}}});
+    t.candidate_precision = BoundedPrecision{.eps_px = 1e-9};
+    answer_everywhere(t.candidate, 0, 0);
+    t.candidate = with_own_depths(t.scene, t.view, t.candidate.primitive, t.candidate_precision);
+    answer_everywhere(t.reference, 0, t.candidate.camera_depth.at(1, 1));
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::wrong_depth);
+    t.candidate_precision = with_any_depth(t.candidate_precision, t.view, t.candidate);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::agree);
+}
+
 TEST(ALabel, IsToldBesideTheFinding) {
     TriangleLabels two = labels({7, 5});
     two.names[7] = "Wood";
