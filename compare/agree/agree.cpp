@@ -127,7 +127,8 @@ class BandScan {
             count(found_.candidate_depth, ours);
             count(found_.reference_depth, theirs);
         }
-        const bool is_another_depth = of_reference.depths && ours >= 0 && theirs_by_ours_[x] < 0;
+        const bool is_another_depth =
+            of_reference.depths && (theirs < 0 || (ours >= 0 && theirs_by_ours_[x] < 0));
         const bool is_id_undecided = !are_same || is_another_depth || is_open(of_reference, ours, place) ||
                                      is_unproven_.at(place.x, place.y) != 0;
         if (!are_decided || is_id_undecided)

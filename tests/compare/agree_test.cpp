@@ -91,9 +91,11 @@ void try_frames(const TestScene& t, Tried& tried) {
                         b = alone(pair, reference.frame, reference.bounds, x, y);
             const bool ids_differ = t.candidate.primitive.at(x, y) != t.reference.primitive.at(x, y),
                        is_background = t.reference.primitive.at(x, y) == PrimitiveId::none;
+            const bool is_another_depth =
+                b.error < 0 ||
+                (a.error >= 0 && alone(pair, reference.frame, candidate.bounds, x, y).error < 0);
             const bool is_proof =
-                !unproven.at(x, y) && (is_background || (a.error < 0 && !a.is_open) ||
-                                       alone(pair, reference.frame, candidate.bounds, x, y).error >= 0);
+                !unproven.at(x, y) && (is_background || !(is_another_depth || (a.error < 0 && a.is_open)));
             expected_maps.candidate.at(x, y) = a.in_map;
             expected_maps.reference.at(x, y) = b.in_map;
             const bool is_known = std::size_t(t.reference.primitive.at(x, y)) < t.scene.triangles.size();

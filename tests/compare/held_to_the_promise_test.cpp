@@ -98,6 +98,16 @@ TEST(HeldToThePromise, AZBuffersDepthThatMayBeInfiniteIsOneThatPassedItsTest) {
         EXPECT_EQ(class_of_depth(t, 1, 1, depth), PixelClass::wrong_depth) << depth;
 }
 
+/// A reference that breaks its own promise at a pixel proves nothing there.
+TEST(HeldToThePromise, AReferenceWhoseOwnDepthIsWrongDoesNotProveItsId) {
+    TestScene t(Projection::perspective, 2, 2, {wall(4), wall(8)});
+    t.candidate_precision = BoundedPrecision{.eps_px = 1e-3, .depth_relative = 0.1};
+    t.reference_precision = BoundedPrecision{.eps_px = 1e-3, .depth_relative = 1e-6};
+    answer_everywhere(t.candidate, 1, 8);
+    answer_everywhere(t.reference, 1, 8.1);
+    EXPECT_EQ(t.class_at(0, 0), PixelClass::hidden);
+}
+
 /// Whoever else names the sliver, seen edge-on or truly there: its depth is one that passed its test.
 TEST(HeldToThePromise, AnOpenDepthIsHeldWhereBothNameOneTriangle) {
     for (const double aside : {0.0, 0.001}) {
