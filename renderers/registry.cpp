@@ -213,7 +213,9 @@ Answers answers_on(const RendererChoice& choice, const Scene& scene) {
 
 std::shared_ptr<const TriangleLabels> labels_of(const RendererChoice& choice, const Scene& scene) {
     if (choice.ids == RendererChoice{}.ids) return nullptr;
-    return std::make_shared<const TriangleLabels>(label_triangles(choice.ids, scene));
+    TriangleLabels labels = label_triangles(choice.ids, scene);
+    labels.is_far_background = labels.are_absent && declared_convention(choice).far_is_background;
+    return std::make_shared<const TriangleLabels>(std::move(labels));
 }
 
 /// What `read` makes of a word of the command line; a fault in it is one of usage.

@@ -19,6 +19,7 @@ struct TriangleLabels {
     std::vector<std::uint32_t> background{0xFFFF'FFFF};  ///< ids that mean background
     /// Has the frame no ids at all? Then one label stands for every triangle, and depth tells background.
     bool are_absent = false;
+    bool is_far_background = false;  ///< of depth alone: does a surface on the far plane read as background?
 };
 
 /// The words that label_triangles() knows, "triangle" and "none" among them.

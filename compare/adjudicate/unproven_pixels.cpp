@@ -14,18 +14,6 @@ namespace zproof {
 
 namespace {
 
-/// How far beyond its corners a triangle may be shown by edges that are moved outwards so far.
-double beyond_corners_px(const std::array<Affine<double>, 3>& edges, double moved_px) {
-    double most = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Affine<double>&e = edges[i], &f = edges[(i + 1) % 3];
-        const double slopes = std::sqrt((e.a * e.a + e.b * e.b) * (f.a * f.a + f.b * f.b)),
-                     sine = std::abs(e.a * f.b - f.a * e.b) / slopes;
-        most = std::max(most, sine > 0 ? 2 * moved_px / sine : unlimited);
-    }
-    return most;
-}
-
 /// Marks the pixels at which a triangle's edges, and its cuts by near and far, pass nearer than the reference
 /// may be off, where the candidate may be off by less. Its functionals are those of pixel indices.
 class CoarseOutline {
@@ -182,6 +170,17 @@ bool is_judged_by_itself(const FramePair& frames) {
 }
 
 }  // namespace
+
+double beyond_corners_px(const std::array<Affine<double>, 3>& edges, double moved_px) {
+    double most = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Affine<double>&e = edges[i], &f = edges[(i + 1) % 3];
+        const double slopes = std::sqrt((e.a * e.a + e.b * e.b) * (f.a * f.a + f.b * f.b)),
+                     sine = std::abs(e.a * f.b - f.a * e.b) / slopes;
+        most = std::max(most, sine > 0 ? 2 * moved_px / sine : unlimited);
+    }
+    return most;
+}
 
 Plane<std::uint8_t> find_unproven_pixels(const FramePair& frames) {
     if (is_judged_by_itself(frames)) return Plane<std::uint8_t>(frames.candidate.frame.size(), 1);

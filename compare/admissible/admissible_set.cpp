@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "compare/admissible/cut_polygon.h"
+#include "compare/admissible/weights.h"
 #include "math/interval.h"
 #include "math/lazy_rational.h"
 
@@ -32,17 +33,6 @@ std::optional<TriangleImage<Number>> image_of_neighbour(const ViewRay<Number>& r
         return neighbour.image;
     else
         return image_of(ray, corners<Number>(neighbour.p_world));
-}
-
-/// Edge functions in proportion to the weights that are held against a tolerance.
-template <class Number>
-std::array<Affine<Number>, 3> weights_of(const ViewRay<Number>& ray, const Neighbour& n) {
-    const Corners<Number> corners = zproof::corners<Number>(n.p_world);
-    std::array<Affine<Number>, 3> weights = edges_of(ray, corners);
-    if (n.has_image_weights)
-        for (size_t i = 0; i < 3; ++i)
-            weights[i] = camera_depth<Number>(ray, corners[i] - ray.origin) * weights[i];
-    return weights;
 }
 
 /// How far beyond its edges a triangle counts as inside at the centre, by its weights' tolerance.

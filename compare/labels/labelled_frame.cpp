@@ -103,18 +103,37 @@ class LabelledFrame {
         for (int x = 0; x < view_.width; ++x) {
             const PixelCoord pixel{x, y};
             const std::uint32_t label = label_at(pixel);
-            const float depth = frame.camera_depth.at(x, y);
+            const float depth = labelled_.frame.camera_depth.at(x, y);
             PrimitiveId& named = frame.primitive.at(x, y);
             const PrimitiveId first = first_.of(label), reference = reference_.primitive.at(x, y);
-            if (is_background(labels_, label, depth))
+            const bool is_proven = !is_unproven_.at(x, y);
+            if (is_background(labels_, label, depth) && !may_be_a_triangle(pixel))
                 named = PrimitiveId::none;
             else if (first == no_such_triangle || std::isnan(depth))
                 named = first;
-            else if (!is_unproven_.at(x, y) && has_label(reference, label) && holds_depth(reference, pixel))
-                named = reference;
+            else if (is_proven && has_label(reference, label) && holds_depth(reference, pixel))
+                name(frame, pixel, reference);
             else
                 open.push_back(pixel);
         }
+    }
+
+    void name(Frame& frame, const PixelCoord& pixel, PrimitiveId triangle) const {
+        frame.primitive.at(pixel.x, pixel.y) = triangle;
+        if (triangle != PrimitiveId::none) frame.camera_depth.at(pixel.x, pixel.y) = depth_at(pixel);
+    }
+
+    /// What a triangle would have there. What is read as background may be stored as a depth at far is.
+    float depth_at(const PixelCoord& pixel) const {
+        const float depth = labelled_.frame.camera_depth.at(pixel.x, pixel.y);
+        return labels_.is_far_background && depth == background_depth ? float(view_.camera.far_depth) : depth;
+    }
+
+    /// Background without an id: is it what a triangle has whose depth is rounded to that of far?
+    bool may_be_a_triangle(const PixelCoord& pixel) const {
+        const bool is_bare = reference_.primitive.at(pixel.x, pixel.y) == PrimitiveId::none;
+        return labels_.are_absent && !labels_.of_triangle.empty() &&
+               (!is_bare || is_unproven_.at(pixel.x, pixel.y));
     }
 
     bool has_label(PrimitiveId triangle, std::uint32_t label) const {
@@ -148,8 +167,7 @@ class LabelledFrame {
 
     DepthCheck check(PrimitiveId triangle, const PixelCoord& pixel) const {
         const DepthOfOne& of = depth_of(triangle);
-        return check_depth(view_, labelled_.shown_bounds, of.p_world, of.depth, pixel,
-                           labelled_.frame.camera_depth.at(pixel.x, pixel.y));
+        return check_depth(view_, labelled_.shown_bounds, of.p_world, of.depth, pixel, depth_at(pixel));
     }
 
     /// Looks for a triangle among all that come near.
@@ -162,9 +180,10 @@ class LabelledFrame {
                 const double reach_px = reach.at(pixel);
                 if (reach_px > searched_px) return reach_px;
                 PixelSearch search{work, pixel, searched_px,
-                                   fits_at(work.triangles_within(reach_px, pixel, labelled_.bounds), pixel)};
+                                   fits_at(work.triangles_within(reach_px, pixel, labelled_.bounds), pixel),
+                                   reach};
                 const std::optional<PrimitiveId> named = best_of(search);
-                if (named) frame.primitive.at(pixel.x, pixel.y) = *named;
+                if (named) name(frame, pixel, *named);
                 return named ? 0 : search.needed_px;
             });
     }
@@ -176,7 +195,7 @@ class LabelledFrame {
         for (const std::uint32_t t : near) {
             if (!has_label(PrimitiveId(t), label_at(pixel))) continue;
             const DepthCheck depth = check(PrimitiveId(t), pixel);
-            const double error = labelled_.frame.camera_depth.at(pixel.x, pixel.y) - depth.bound.truth;
+            const double error = depth_at(pixel) - depth.bound.truth;
             fits.push_back({PrimitiveId(t), depth.is_admissible, std::abs(error)});
         }
         std::ranges::sort(fits, std::less());
@@ -189,6 +208,7 @@ class LabelledFrame {
         const PixelCoord& pixel;
         double searched_px;
         std::vector<DepthFit> fits;
+        const SearchReach& reach;
         double needed_px = 0;  ///< above 0: a decision needs that reach
     };
 
@@ -199,23 +219,37 @@ class LabelledFrame {
         Admissibility admissibility = Admissibility::outside;
     };
 
-    Admissibility decide(PixelSearch& search, PrimitiveId triangle) const {
+    /// A depth within its bound that lies behind what covers the pixel is hidden there.
+    Admissibility decide(PixelSearch& search, const DepthFit& fit) const {
         QueryResult found;
-        const PixelQuery query{&labelled_.bounds, triangle, search.pixel.x, search.pixel.y};
+        PixelQuery query{&labelled_.bounds, fit.triangle, search.pixel.x, search.pixel.y};
+        if (fit.is_within_bound) query.depth = depth_at(search.pixel);
         search.needed_px = std::max(search.needed_px, search.work.decide(query, search.searched_px, found));
-        return found.decision.admissibility;
+        return query.depth > found.farthest_depth ? Admissibility::hidden : found.decision.admissibility;
     }
 
     /// The triangle to name, or nothing where a decision must look farther.
     std::optional<PrimitiveId> best_of(PixelSearch& search) const {
-        const auto first_wrong = std::ranges::find(search.fits, false, &DepthFit::is_within_bound);
-        Found best{first_.of(label_at(search.pixel)), Admissibility::outside};
+        const std::uint32_t label = label_at(search.pixel);
+        const bool is_bare =
+            is_background(labels_, label, labelled_.frame.camera_depth.at(search.pixel.x, search.pixel.y));
+        Found best{is_bare ? PrimitiveId::none : first_.of(label), Admissibility::outside};
         const auto try_fit = [&](const DepthFit& fit) {
-            const Admissibility admissibility = decide(search, fit.triangle);
+            const Admissibility admissibility = decide(search, fit);
             if (is_better(admissibility, best.admissibility)) best = {fit.triangle, admissibility};
         };
-        std::for_each(search.fits.begin(), first_wrong, try_fit);
+        const auto try_all_within = [&](const std::vector<DepthFit>& fits) {
+            const auto first_wrong = std::ranges::find(fits, false, &DepthFit::is_within_bound);
+            std::for_each(fits.begin(), first_wrong, try_fit);
+            return first_wrong;
+        };
+        if (is_bare && !search.fits.empty() && search.fits.front().is_within_bound)
+            try_fit({PrimitiveId::none});
+        const auto first_wrong = try_all_within(search.fits);
+        if (!is_admissible(best.admissibility))
+            try_all_within(fits_at(search.reach.shown_by_rounding(search.pixel), search.pixel));
         if (search.needed_px > 0) return std::nullopt;
+        if (is_bare) return is_admissible(best.admissibility) ? best.triangle : PrimitiveId::none;
         if (best.admissibility == Admissibility::outside) {
             const PrimitiveId reference = reference_.primitive.at(search.pixel.x, search.pixel.y);
             if (has_label(reference, label_at(search.pixel)))

@@ -1,10 +1,12 @@
 /// How far around a pixel triangles must be looked for, so that none is missed that is admissible there.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "compare/adjudicate/image_box.h"
 #include "compare/bounds/pixel_coord.h"
+#include "math/affine.h"
 #include "scenes/scene.h"
 
 namespace zproof {
@@ -17,8 +19,18 @@ class SearchReach {
     /// A triangle farther than this from the pixel's centre meets no square that an answer there is judged
     /// in.
     double at(const PixelCoord& pixel) const;
+    /// Triangles that may lie farther, ascending: rounded edges may all say that they hold the pixel's
+    /// centre.
+    std::vector<std::uint32_t> shown_by_rounding(const PixelCoord& pixel) const;
 
   private:
+    /// A triangle that rounding may show far beyond its corners. It does so only where all its edges, or all
+    /// of them turned round, are no less than minus the margin.
+    struct Thin {
+        std::uint32_t triangle;
+        std::array<Affine<double>, 3> edges;  ///< of pixel indices
+        std::array<double, 3> margins;
+    };
     /// A triangle that may reach farther than `least_px`.
     struct Wide {
         std::uint32_t triangle;
@@ -30,6 +42,9 @@ class SearchReach {
     const View& view_;
     const ViewBounds& bounds_;
     std::vector<Wide> wide_;  ///< the largest eps first
+    std::vector<Thin> thin_;  ///< ascending
+
+    Thin thin_of(std::uint32_t triangle) const;
 };
 
 }  // namespace zproof

@@ -46,17 +46,11 @@ struct RandomPixel {
     }
     /// As the judge decides each triangle of the scene, and as rationals do among all triangles.
     bool is_right(const ViewBounds& bounds, std::uint32_t t) const {
-        const PixelQuery query{&bounds, PrimitiveId(t), pixel.x, pixel.y};
+        const PixelQuery query{&bounds, PrimitiveId(t), pixel.x, pixel.y, AskedReason::the_first, depth()};
         const Adjudicator adjudicator(scene, view, {&bounds}, QueryDetail::admissibility);
-        const Decision decision = adjudicator.decide(std::span(&query, 1)).front().decision;
+        const auto [decision, displacement, farthest] = adjudicator.decide(std::span(&query, 1)).front();
         EXPECT_EQ(is_admissible(decision.admissibility), is_admissible_in_rationals(bounds, t, decision));
-        return holds_depth(bounds, t) && is_admissible(decision.admissibility);
-    }
-    /// A label's triangles are looked for within eps: those that rounding alone shows are not among them.
-    bool comes_near(const ViewBounds& bounds, std::uint32_t t) const {
-        const Neighbourhood around =
-            surroundings(scene, view, bounds, pixel, own_eps_px(scene, view, bounds, pixel, PrimitiveId(t)));
-        return AdmissibleSet<Rational>(around).reaches(t);
+        return holds_depth(bounds, t) && is_admissible(decision.admissibility) && !(depth() > farthest);
     }
 
   private:
@@ -100,11 +94,8 @@ TEST(ALabel, PassesExactlyWhereSomeTriangleOfItIsAdmissibleAtThatDepth) {
         ASSERT_EQ(p.labels.of_triangle[named], p.label());
         bool any = false;
         for (std::uint32_t t = 0; t < p.scene.triangles.size(); ++t)
-            any = any ||
-                  (p.labels.of_triangle[t] == p.label() && p.is_right(bounds, t) && p.comes_near(bounds, t));
-        const bool is_right = p.is_right(bounds, named);
-        ASSERT_TRUE(is_right || !any) << named;
-        ASSERT_TRUE(any || !is_right || !p.comes_near(bounds, named)) << named;
+            any = any || (p.labels.of_triangle[t] == p.label() && p.is_right(bounds, t));
+        ASSERT_EQ(p.is_right(bounds, named), any) << named;
         ++(any ? right : wrong);
         wide += own_eps_px(p.scene, p.view, bounds, p.pixel, PrimitiveId(named)) > 1.0 / 16;
     }
@@ -213,6 +204,86 @@ TEST(ALabel, NamesTheTriangleWhoseBoundReachesANegativeDepth) {
     const Frame named =
         with_triangles(t.scene, t.view, of_labels, labels({7, 7}), {t.reference, t.reference_precision});
     EXPECT_EQ(named.primitive.at(1, 1), PrimitiveId(1));
+}
+
+PixelClass class_by(TestScene t, const TriangleLabels& said, int x, int y) {
+    t.candidate = with_triangles(t.scene, t.view, {t.candidate, t.candidate_precision}, said,
+                                 {t.reference, t.reference_precision});
+    return t.class_at(x, y);
+}
+
+/// The pixel's centre lies 1 px beyond the tip of a needle; two weights of minus the tolerance lie 85 of it
+/// in px there. The first triangle of the label is elsewhere.
+TEST(ALabel, MayBeThatOfATriangleShownBeyondItsTip) {
+    TestScene t(Projection::parallel, 8, 4,
+                {{{{90, 90, 4}, {91, 90, 4}, {90, 91, 4}}}, {{{-40, 1.4, 4}, {2.5, 1.5, 4}, {-40, 1.6, 4}}}});
+    answer(t.candidate, 3, 1, 7, 4);
+    for (const double share : {1.01, 0.99}) {
+        t.candidate_precision =
+            RayPrecision{.arithmetic = Arithmetic::float64, .barycentric_tolerance = share / 85};
+        EXPECT_EQ(class_by(t, labels({7, 7}), 3, 1), share > 1 ? PixelClass::edge : PixelClass::outside);
+    }
+}
+
+/// All three edge functions err by more than the needle's width, 3 px beyond its tip.
+TEST(ALabel, MayBeThatOfATriangleShownByRoundedEdges) {
+    TestScene t(
+        Projection::parallel, 8, 4,
+        {{{{90, 90, 4}, {91, 90, 4}, {90, 91, 4}}}, {{{-40, 1.5, 4}, {2.5, 1.5, 4}, {-40, 1.5 + 1e-6, 4}}}});
+    answer_everywhere(t.candidate, 7, 4);
+    t.candidate_precision = RasterPrecision{.snap = Snap::none, .edge_functions = EdgeFunctions::from_corner};
+    EXPECT_EQ(class_by(t, labels({7, 7}), 5, 1), PixelClass::edge);
+    EXPECT_EQ(class_by(t, labels({7, 7}), 5, 2), PixelClass::outside) << "beside the line";
+}
+
+/// Two triangles of the label hold the depth. The one whose own depth is nearer is hidden at it by the wall
+/// in front; the other one shares an edge with that, which hides nothing of it.
+TEST(ALabel, NamesTheTriangleThatWinsAtItsDepth) {
+    const double step = 64.0 * 64 / (0.25 * 65535), depth = 64 + 1.4 * step;
+    const Triangle beside{{{-64, -64, 64}, {192, -64, 64}, {-64, 192, 64 + 3.2 * step}}};
+    TestScene t(Projection::perspective, 4, 4, {wall(64), wall(64 + 1.5 * step), beside});
+    t.candidate_precision = RasterPrecision{.transform = Arithmetic::float64,
+                                            .depth_buffer = DepthBuffer::standard_z,
+                                            .depth_format = DepthFormat::unorm16,
+                                            .depth_interpolation = DepthInterpolation::barycentrics,
+                                            .interpolation = Arithmetic::float64};
+    answer_everywhere(t.candidate, 7, depth);
+    answer_everywhere(t.reference, 0, 64);
+    EXPECT_EQ(class_by(t, labels({5, 7, 7}), 1, 1), PixelClass::depth_tie);
+    EXPECT_EQ(class_by(t, labels({5, 7, 5}), 1, 1), PixelClass::wrong_depth);
+}
+
+/// A wall at an inverse depth of that many errors of its z more than that of far. Its depth is told as
+/// background.
+PixelClass class_before_far(double far_depth, double errors, bool is_far_background) {
+    TestScene t(Projection::perspective, 2, 2, {wall(std::min(far_depth, 0x1p21))});
+    t.view.camera.far_depth = far_depth;
+    const bool is_finite = std::isfinite(far_depth);
+    const RasterPrecision precision{.transform = Arithmetic::float64,
+                                    .depth_buffer = DepthBuffer::standard_z,
+                                    .depth_format = is_finite ? DepthFormat::unorm16 : DepthFormat::float32,
+                                    .matrix_far = is_finite ? MatrixFar::finite : MatrixFar::infinite,
+                                    .depth_interpolation = DepthInterpolation::barycentrics};
+    const double error = ViewBounds(t.view, precision).of(corners_of(t.scene, 0)).inverse_depth_error,
+                 depth = 1 / (1 / far_depth + errors * error);
+    t.scene = scene_of(t.view, {wall(depth)});
+    t.candidate_precision = precision;
+    answer_everywhere(t.candidate, 99, background_depth);
+    answer_everywhere(t.reference, 0, depth);
+    TriangleLabels none = depth_alone(t.scene);
+    none.is_far_background = is_far_background;
+    return class_by(t, none, 1, 1);
+}
+
+TEST(DepthAlone, IsNoHoleWhereZMayBeThatOfAnInfiniteFar) {
+    EXPECT_EQ(class_before_far(HUGE_VAL, 0.99, false), PixelClass::agree);
+    EXPECT_EQ(class_before_far(HUGE_VAL, 1.01, false), PixelClass::hole);
+}
+
+TEST(DepthAlone, IsNoHoleWhereADepthAtFarReadsAsBackground) {
+    EXPECT_EQ(class_before_far(1024, 0.99, true), PixelClass::agree);
+    EXPECT_EQ(class_before_far(1024, 1.01, true), PixelClass::hole);
+    EXPECT_EQ(class_before_far(1024, 0.99, false), PixelClass::hole) << "its background is no depth";
 }
 
 /// No float32 lies within the bounds of what is never rounded.
