@@ -62,6 +62,11 @@ bool is_watertight(const Precision& precision) {
 }
 
 std::string unjudgeable(const Camera& camera, const Precision& precision) {
+    const auto* ray = std::get_if<RayPrecision>(&precision);
+    if (ray && camera.projection == Projection::perspective &&
+        moved_along(camera.back, *ray) >= camera.near_depth)
+        return "world_absolute reaches from near to the eye, and is any number of pixels there; expected "
+               "less, or a view whose near plane lies farther away";
     const double share = std::visit(
         [](const auto& p) {
             if constexpr (requires { p.depth_of_range; }) return p.depth_of_range;
@@ -103,6 +108,9 @@ TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {
     }
     bounds.nearest = std::clamp(low, near, far);
     bounds.farthest = std::clamp(high, near, far);
+    const double before_near = std::max(low, c.near_depth - bounds.near_slack);
+    bounds.nearest_shown =
+        facts_.perspective && before_near > 0 ? std::min(before_near, bounds.nearest) : bounds.nearest;
     if (is_of_shown_) allow_steps(depth_step_, bounds);
     return bounds;
 }

@@ -41,6 +41,7 @@ struct TriangleLimits {
 
 /// The bounds of one triangle, as functions of its inverse depth (1/depth; perspective) at the pixel.
 struct TriangleBounds : TriangleLimits {
+    double nearest_shown = 0;  ///< `nearest`, or less: what lies before near within its slack may be shown
     double eps_base_px = 0, eps_per_inverse_depth = 0;  ///< eps = base + per_inverse_depth * inverse depth
     double depth_eps_base_px = 0, depth_eps_per_inverse_depth = 0;  ///< the same for depth
     double depth_factor = 0;  ///< sum of the relative errors of depth's factors
@@ -57,7 +58,7 @@ struct TriangleBounds : TriangleLimits {
     }
     /// The largest eps anywhere on the triangle: at its nearest corner.
     double most_eps_px() const {
-        const double highest = nearest > 0 ? 1 / nearest : 0;
+        const double highest = nearest_shown > 0 ? 1 / nearest_shown : 0;
         return eps_base_px + (eps_per_inverse_depth > 0 ? eps_per_inverse_depth * highest : 0);
     }
 };
@@ -110,7 +111,7 @@ class BoundsOnPlane {
   public:
     BoundsOnPlane() = default;
     BoundsOnPlane(const TriangleBounds& b, double gradient)
-        : corners_(b.nearest, b.farthest),
+        : corners_(b.nearest_shown, b.farthest),
           eps_px_(b.eps_base_px, b.eps_per_inverse_depth, gradient, corners_.highest),
           depth_eps_px_(b.depth_eps_base_px, b.depth_eps_per_inverse_depth, gradient, corners_.highest),
           depth_factor_(b.depth_factor),

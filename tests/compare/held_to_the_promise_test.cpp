@@ -234,6 +234,35 @@ TEST(HeldToThePromise, AShareOfTheRangeNeedsAFarPlane) {
     }
 }
 
+/// What is moved to beyond near is moved in the image by its own depth, which is less than near's.
+TEST(HeldToThePromise, AWorldErrorCountsByTheDepthBeforeNear) {
+    constexpr double depth = 0.2, world_absolute = 0.1;
+    const RayPrecision precision{.arithmetic = Arithmetic::float64, .world_absolute = world_absolute};
+    const auto class_at = [&](double share) {
+        TestScene t(Projection::perspective, 2, 2, {wall_left_of(0, depth)});
+        t.candidate_precision = precision;
+        const double moved_px =
+            ViewBounds(t.view, precision).of(corners_of(t.scene, 0)).eps_per_inverse_depth / depth;
+        t.scene = scene_of(t.view, {wall_left_of(1.5 - share * moved_px, depth)});
+        return class_of_depth(t, 1, 1, 0.28);
+    };
+    EXPECT_TRUE(passes(class_at(0.99)));
+    EXPECT_EQ(class_at(1.01), PixelClass::outside);
+}
+
+TEST(HeldToThePromise, AWorldErrorMustNotReachTheEye) {
+    for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+        TestScene t(projection, 2, 2, {wall(4)});  // near is 1/4
+        t.candidate_precision = RayPrecision{.world_absolute = 0.2475};
+        EXPECT_NO_THROW(t.verdict());
+        t.candidate_precision = RayPrecision{.world_absolute = 0.2525};
+        if (projection == Projection::perspective)
+            EXPECT_THROW(t.verdict(), FrameError);
+        else
+            EXPECT_NO_THROW(t.verdict());
+    }
+}
+
 /// Near leaves a quadrilateral of the triangle. One of its diagonals passes 1/6 px beside the centre of pixel
 /// (6, 4).
 TEST(HeldToThePromise, ATriangleThatNearCutsHasAGapAlongADiagonal) {
@@ -473,7 +502,8 @@ TEST(HeldToThePromise, ALeastDeterminantIsHeldAgainstARoundedOne) {
 
 /// Each corner may move by half of what the triangle is high: nothing is left of it.
 TEST(HeldToThePromise, CornersThatMayMoveTogetherLeaveThePlaneUnknown) {
-    const TestScene t(Projection::perspective, 4, 2, {{{{0, 0, 4}, {2, 0, 4}, {0, 1, 4}}}});
+    TestScene t(Projection::perspective, 4, 2, {{{{0, 0, 4}, {2, 0, 4}, {0, 1, 4}}}});
+    t.view.camera.near_depth = 3;
     const auto factor_by = [&](double world_absolute) {
         return bounds_by(t, RayPrecision{.arithmetic = Arithmetic::float64, .world_absolute = world_absolute})
             .depth_factor;
