@@ -474,6 +474,8 @@ bool AdmissibleSet<Number>::is_cut_at_the_centre(size_t occluder) {
         const std::vector<CutPlane<Number>> planes = cut_planes<Number>(
             c, window, {n.near_slack, n.far_slack, half_side_px_ * u_per_px, half_side_px_ * v_per_px});
         return any_cut<Number>(triangle, planes, {triangle}, [&](const auto& polygons) {
+            // a polygon of n corners has n (n - 3) / 2 diagonals, each some cuts' work, and was cut itself
+            for (const auto& polygon : polygons) spend(polygon.size() * polygon.size());
             return do_diagonals_pass(ray_, Number(half_side_px_), polygons);
         });
     });

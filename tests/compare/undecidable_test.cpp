@@ -40,5 +40,16 @@ TEST(Undecidable, AFinerPromiseDecides) {
     EXPECT_EQ(defect_count(verdict), 256u);
 }
 
+/// Where near and the sides may cut a triangle, and what that leaves may be cut, is work as well.
+TEST(Undecidable, CutsOfATriangleCountAsWork) {
+    TestScene t(Projection::parallel, 8, 8, {{{{-8, -8, 2}, {16, -8, 8}, {16, 24, 8}}}});
+    t.view.camera.near_depth = 4;
+    const ViewBounds bounds(t.view, BoundedPrecision{.eps_px = 0.165, .watertight = false});
+    Neighbourhood around = neighbourhood_of(t.scene, t.view, bounds, {6, 4, 1, {0}}, 0.165);
+    const std::size_t work = decide(around, PrimitiveId::none).work;
+    around.clip_windows.clear();
+    EXPECT_GE(work, decide(around, PrimitiveId::none).work + 4 * 4);
+}
+
 }  // namespace
 }  // namespace zproof
