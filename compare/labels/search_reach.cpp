@@ -20,10 +20,23 @@ namespace {
 /// no answer.
 constexpr double least_px = 1.0 / 16;
 
+/// How far g's slope is turned from f's, times both.
+double turn_between(const Affine<double>& f, const Affine<double>& g) { return f.a * g.b - g.a * f.b; }
+
+/// The box around the place where both functionals have these values; unlimited where double tells it badly.
+Box box_of_crossing(const Affine<double>& f, double of_f, const Affine<double>& g, double of_g) {
+    const double turn = turn_between(f, g), slopes = std::hypot(f.a, f.b) * std::hypot(g.a, g.b);
+    if (!(std::abs(turn) > 1e-6 * slopes)) return Box::unlimited();
+    const double p = of_f - f.c, q = of_g - g.c;
+    Box box;
+    box.add((p * g.b - q * f.b) / turn, (f.a * q - g.a * p) / turn);
+    return box;
+}
+
 }  // namespace
 
 SearchReach::SearchReach(const Scene& scene, const View& view, const ViewBounds& bounds)
-    : scene_(scene), view_(view), bounds_(bounds) {
+    : scene_(scene), view_(view), bounds_(bounds), tiles_(view) {
     const BoxProjection projection(view);
     const ViewRay<double> first_pixel(view, 0, 0);
     tbb::enumerable_thread_specific<std::vector<Wide>> found;
@@ -45,7 +58,7 @@ SearchReach::SearchReach(const Scene& scene, const View& view, const ViewBounds&
         return std::tie(b.most_px, a.triangle) < std::tie(a.most_px, b.triangle);
     });
     for (const auto& some : found_thin) thin_.insert(thin_.end(), some.begin(), some.end());
-    tbb::parallel_sort(thin_, [](const Thin& a, const Thin& b) { return a.triangle < b.triangle; });
+    sort_by_tile();
 }
 
 /// docs/labels.md says why that is far enough. 2: TileWork asks as far as twice an answer's eps whose eps
@@ -83,17 +96,56 @@ SearchReach::Thin SearchReach::thin_of(std::uint32_t triangle) const {
     return thin;
 }
 
+bool SearchReach::Thin::may_show(const PixelCoord& pixel) const {
+    bool is_inside = true, is_inside_turned = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double here = edges[i].at(pixel.x, pixel.y);
+        is_inside &= !(here < -margins[i]);
+        is_inside_turned &= !(here > margins[i]);
+    }
+    return is_inside || is_inside_turned;
+}
+
+/// Three half planes whose slopes turn one way all round leave a triangle, or nothing: its corners are where
+/// two of the lines cross.
+Box SearchReach::Thin::box() const {
+    Box box;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+        const bool turns_on = turn_between(edges[i], edges[j]) * turn_between(edges[j], edges[k]) > 0;
+        if (!turns_on) return Box::unlimited();
+        for (const double side : {-1.0, 1.0})
+            box.add(box_of_crossing(edges[i], side * margins[i], edges[j], side * margins[j]));
+    }
+    box.widen(1);
+    return box;
+}
+
+void SearchReach::sort_by_tile() {
+    constexpr double most_px = 1 << 10;  // wider ones are asked about at every pixel
+    thin_by_tile_.resize(tiles_.count());
+    for (std::uint32_t place = 0; place < thin_.size(); ++place) {
+        const Box box = thin_[place].box();
+        if (!(box.right - box.left < most_px && box.bottom - box.top < most_px)) {
+            thin_anywhere_.push_back(place);
+            continue;
+        }
+        const auto tile_at = [](double x, int count) {
+            return int(std::clamp(std::floor(x / Tiles::side_px), 0.0, double(count)));
+        };
+        for (int row = tile_at(box.top, tiles_.rows); row < tile_at(box.bottom, tiles_.rows - 1) + 1; ++row)
+            for (int column = tile_at(box.left, tiles_.columns);
+                 column < tile_at(box.right, tiles_.columns - 1) + 1; ++column)
+                thin_by_tile_[tiles_.index(column, row)].push_back(place);
+    }
+}
+
 std::vector<std::uint32_t> SearchReach::shown_by_rounding(const PixelCoord& pixel) const {
     std::vector<std::uint32_t> shown;
-    for (const Thin& thin : thin_) {
-        bool is_inside = true, is_inside_turned = true;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double here = thin.edges[i].at(pixel.x, pixel.y);
-            is_inside &= !(here < -thin.margins[i]);
-            is_inside_turned &= !(here > thin.margins[i]);
-        }
-        if (is_inside || is_inside_turned) shown.push_back(thin.triangle);
-    }
+    for (const auto* places : {&thin_by_tile_[tiles_.of(pixel.x, pixel.y)], &thin_anywhere_})
+        for (const std::uint32_t place : *places)
+            if (thin_[place].may_show(pixel)) shown.push_back(thin_[place].triangle);
+    std::ranges::sort(shown);
     return shown;
 }
 

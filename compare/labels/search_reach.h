@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/adjudicate/image_box.h"
+#include "compare/adjudicate/tiles.h"
 #include "compare/bounds/pixel_coord.h"
 #include "math/affine.h"
 #include "scenes/scene.h"
@@ -30,6 +31,9 @@ class SearchReach {
         std::uint32_t triangle;
         std::array<Affine<double>, 3> edges;  ///< of pixel indices
         std::array<double, 3> margins;
+
+        bool may_show(const PixelCoord& pixel) const;
+        Box box() const;  ///< around all pixels at which it may be shown
     };
     /// A triangle that may reach farther than `least_px`.
     struct Wide {
@@ -42,9 +46,13 @@ class SearchReach {
     const View& view_;
     const ViewBounds& bounds_;
     std::vector<Wide> wide_;  ///< the largest eps first
-    std::vector<Thin> thin_;  ///< ascending
+    std::vector<Thin> thin_;
+    Tiles tiles_;
+    std::vector<std::vector<std::uint32_t>> thin_by_tile_;  ///< places in thin_, by tile
+    std::vector<std::uint32_t> thin_anywhere_;              ///< those of no box
 
     Thin thin_of(std::uint32_t triangle) const;
+    void sort_by_tile();
 };
 
 }  // namespace zproof
