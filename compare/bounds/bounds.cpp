@@ -62,11 +62,6 @@ bool is_watertight(const Precision& precision) {
 }
 
 std::string unjudgeable(const Camera& camera, const Precision& precision) {
-    const auto* ray = std::get_if<RayPrecision>(&precision);
-    if (ray && camera.projection == Projection::perspective &&
-        moved_along(camera.back, *ray) >= camera.near_depth)
-        return "world_absolute reaches from near to the eye, and is any number of pixels there; expected "
-               "less, or a view whose near plane lies farther away";
     const double share = std::visit(
         [](const auto& p) {
             if constexpr (requires { p.depth_of_range; }) return p.depth_of_range;

@@ -18,8 +18,7 @@ namespace zproof {
 /// Does the renderer promise to leave no gap between triangles that share an edge?
 bool is_watertight(const Precision& precision);
 
-/// Why the promise says nothing of the view: depth_of_range without a finite far, or world_absolute up to the
-/// eye. Empty: it does.
+/// Why the promise says nothing of the view: depth_of_range without a finite far. Empty: it does.
 std::string unjudgeable(const Camera& camera, const Precision& precision);
 
 /// What a renderer's precision means for one view.

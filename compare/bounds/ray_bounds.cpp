@@ -115,11 +115,6 @@ double weights_error(const RayPrecision& precision, const std::array<glm::dvec3,
     return unlimited;
 }
 
-double moved_along(const glm::dvec3& axis, const RayPrecision& precision) {
-    // three weights down to minus the tolerance add up to so much in absolute value
-    return precision.world_absolute * (1 + 6 * precision.barycentric_tolerance) * sum_abs(axis);
-}
-
 RayBounds::RayBounds(const ViewFacts& facts, const RayPrecision& precision)
     : precision_(precision),
       unit_(unit_of(precision.arithmetic)),
@@ -254,7 +249,9 @@ double RayBounds::mean_error(const ViewFacts& facts, const TriangleExtent& exten
 
 void RayBounds::add_world_error(TriangleBounds& bounds, const ViewFacts& facts) const {
     const Camera& c = facts.view.camera;
-    const auto along = [&](const glm::dvec3& axis) { return moved_along(axis, precision_); };
+    // three weights down to minus the tolerance add up to so much in absolute value
+    const double error = precision_.world_absolute * (1 + 6 * precision_.barycentric_tolerance);
+    const auto along = [&](const glm::dvec3& axis) { return error * sum_abs(axis); };
     const double lateral = facts.scale.lateral_px({along(c.right), along(c.up), along(c.back)});
     (facts.perspective ? bounds.eps_per_inverse_depth : bounds.eps_base_px) += lateral;
     (facts.perspective ? bounds.depth_eps_per_inverse_depth : bounds.depth_eps_base_px) += lateral;

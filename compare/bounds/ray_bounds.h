@@ -14,9 +14,6 @@ namespace zproof {
 double weights_error(const RayPrecision& precision, const std::array<glm::dvec3, 3>& v,
                      const glm::dvec3& origin_abs, const glm::dvec3& direction_abs);
 
-/// How far world_absolute may move a point of a triangle along an axis.
-double moved_along(const glm::dvec3& axis, const RayPrecision& precision);
-
 class RayBounds {
   public:
     RayBounds(const ViewFacts& facts, const RayPrecision& precision);
