@@ -153,7 +153,7 @@ def test_an_undecided_verdict_shows_where():
     verdict = zproof.judge(scene, view, id=ids, depth=frame.depth, precision=promise)
     assert verdict.defects == 0 and verdict.counts["undecidable"] > 0
     text = re.sub(r"<[^>]*>", " ", verdict._repr_html_())
-    assert re.search(r"undecidable +\d+ +undecided", text)
+    assert re.search(r"undecidable +[\d,]+ +undecided", text)
     assert f"The worst of {verdict.counts['undecidable']} undecidable pixels:" in text
     assert "Around the worst pixel" in text
 
