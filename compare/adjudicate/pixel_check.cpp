@@ -38,8 +38,7 @@ AnswerCheck check_answer(const FramePair& frames, const BoundedFrame& frame, con
     const bool is_no_depth = answer.camera_depth < 0 && frame.bounds.near_depth() >= 0 &&
                              (!depth.is_admissible || frames.view.camera.near_depth < 0);
     const bool is_open = depth.bound.is_open() && !frame.shown_bounds.keeps_to_corners();
-    const bool has_no_farthest = depth.bound.high == unlimited;
-    return {answer, is_no_depth, depth.is_admissible, depth.error_over_bound, is_open, has_no_farthest};
+    return {answer, is_no_depth, depth.is_admissible, depth.error_over_bound, is_open};
 }
 
 /// Checks both answers but does not put them to the admissible set.
@@ -77,13 +76,8 @@ void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixel
             // decides an answer, if it is one; the reach that this needs, or 0
             const auto decide = [&](const BoundedFrame& frame, const AnswerCheck& check, QueryResult& said) {
                 const AskedReason reason = pixel.ids_differ() ? AskedReason::the_first : AskedReason::any;
-                const PixelQuery query{&frame.bounds,
-                                       check.answer.primitive,
-                                       place.x,
-                                       place.y,
-                                       reason,
-                                       check.answer.camera_depth,
-                                       check.has_no_farthest};
+                const PixelQuery query{&frame.bounds, check.answer.primitive,   place.x, place.y,
+                                       reason,        check.answer.camera_depth};
                 return check.is_invalid ? 0 : work.decide(query, searched_px, said);
             };
             double needed_px = decide(candidate, pixel.candidate, pixel.candidate_decision);

@@ -21,7 +21,6 @@ struct AnswerCheck {
     bool is_depth_admissible = true;  ///< so is one that there is none to ask about
     double error_over_bound = 0;      ///< of its depth; NaN where there is none to ask about
     bool is_depth_open = false;       ///< any depth is admissible
-    bool has_no_farthest = false;     ///< no depth is too far
 };
 
 /// What is known of a pixel, answer by answer; decisions only where the id is undecided and the answer is

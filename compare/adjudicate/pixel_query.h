@@ -16,7 +16,6 @@ struct PixelQuery {
     int x = 0, y = 0;
     AskedReason reason = AskedReason::the_first;
     double depth = std::numeric_limits<double>::quiet_NaN();  ///< that is shown with it, if any is
-    bool is_depth_open = false;  ///< no bound of its own ends it: only what covers the pixel may
 };
 
 /// What became of a query.

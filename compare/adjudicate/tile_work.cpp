@@ -227,8 +227,7 @@ const Neighbour& TileWork::seen_in_tile(std::size_t place, const PixelQuery& que
 
 double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult& adjudicated) {
     const bool is_work_left = take(1 + triangles_.count() / looks_per_cut, work_left_);
-    if (is_work_left && query.reason == AskedReason::any && !query.is_depth_open && !setting_.override &&
-        is_there_truly(query)) {
+    if (is_work_left && query.reason == AskedReason::any && !setting_.override && is_there_truly(query)) {
         adjudicated = {};
         return 0;
     }

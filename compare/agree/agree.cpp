@@ -116,8 +116,8 @@ class BandScan {
     }
 
     /// Counts the pixel where both frames agree, and lists it where they do not, or where their agreement
-    /// proves nothing: the reference may displace its triangle farther than the candidate may, its depth is
-    /// none that the candidate may give, or only what covers the pixel bounds the candidate's.
+    /// proves nothing: the reference may displace its triangle farther than the candidate may, or its depth
+    /// is none that the candidate may give.
     void record(const Look& candidate, const Look& reference, const Run& of_reference,
                 const PixelCoord& place) {
         const auto x = std::size_t(place.x);
@@ -129,15 +129,9 @@ class BandScan {
         }
         const bool is_another_depth =
             of_reference.depths && (theirs < 0 || (ours >= 0 && theirs_by_ours_[x] < 0));
-        const bool is_id_undecided = !are_same || is_another_depth || is_open(of_reference, ours, place) ||
-                                     is_unproven_.at(place.x, place.y) != 0;
+        const bool is_id_undecided = !are_same || is_another_depth || is_unproven_.at(place.x, place.y) != 0;
         if (!are_decided || is_id_undecided)
             found_.undecided.push_back({place, are_decided, is_id_undecided});
-    }
-
-    static bool is_open(const Run& run, double candidate_error, const PixelCoord& place) {
-        return run.depths && candidate_error < 0 &&
-               run.depths->candidate.at(place.x, place.y).high == unlimited;
     }
 
     /// What is undecided has an error as well.

@@ -28,7 +28,6 @@ FramePair pair_of(const TestScene& t) {
 struct Alone {
     double error = undecided_error;
     float in_map = nan;
-    bool is_open = false;
 };
 Alone alone(const FramePair& pair, const Frame& frame, const ViewBounds& bounds, int x, int y) {
     const auto id = frame.primitive.at(x, y);
@@ -39,8 +38,7 @@ Alone alone(const FramePair& pair, const Frame& frame, const ViewBounds& bounds,
     const TriangleDepth depth(triangle, bounds);
     const DepthBound bound = depth.at(x, y);
     const bool is_certain = depth.has_plane() && depth.certainly_holds(bound, z);
-    return {is_certain ? error_over_bound(bound, z) : undecided_error, float(error_over_bound(bound, z)),
-            bound.high == unlimited};
+    return {is_certain ? error_over_bound(bound, z) : undecided_error, float(error_over_bound(bound, z))};
 }
 
 bool is_in_raster_order(const UndecidedPixel& a, const UndecidedPixel& b) {
@@ -95,7 +93,7 @@ void try_frames(const TestScene& t, Tried& tried) {
                 b.error < 0 ||
                 (a.error >= 0 && alone(pair, reference.frame, candidate.bounds, x, y).error < 0);
             const bool is_proof =
-                !unproven.at(x, y) && (is_background || !(is_another_depth || (a.error < 0 && a.is_open)));
+                !unproven.at(x, y) && (is_background || !is_another_depth);
             expected_maps.candidate.at(x, y) = a.in_map;
             expected_maps.reference.at(x, y) = b.in_map;
             const bool is_known = std::size_t(t.reference.primitive.at(x, y)) < t.scene.triangles.size();
