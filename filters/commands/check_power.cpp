@@ -198,6 +198,7 @@ CheckPower power_of(const FilterFixture& fixture, const FilterClaim& claim, cons
         have_pixels_outside(suspects.pictures, reference, {.code_error = claim.precision.code_error});
     is_unseen.flip();
     suspects.take(is_unseen);
+    if (suspects.defects.empty()) return power;
     const std::vector<bool> seen_without_geometry =
         have_pixels_outside(suspects.pictures, reference, without_geometry(claim.precision));
     constexpr FilterPrecision in_codes{.code_error = 0.5};

@@ -61,7 +61,7 @@ AxisTerms axis_terms(Wrap wrap, double low, double high, int size) {
     return terms_as_they_are(wrap, low - shift, high - shift, size);
 }
 
-/// Of an implementation that shifts no places.
+/// What an implementation adds up that shifts no places.
 double sum_of_weights(Wrap wrap, const Interval& low, const Interval& high, int size) {
     double sum = 0;
     for (const AxisTerm& term : terms_as_they_are(wrap, middle(low), middle(high), size))
