@@ -44,6 +44,11 @@ std::vector<unsigned char> encoded(const Plane<Rgb8>& picture, Format format, co
         place);
 }
 
+void write_encoded(const std::filesystem::path& file, const Plane<Rgb8>& picture, Format format) {
+    const std::vector<unsigned char> bytes = encoded(picture, format, file.string());
+    write_whole_file(file, std::as_bytes(std::span{bytes}));
+}
+
 std::vector<std::byte> bytes_of(const std::vector<unsigned char>& png) {
     const auto bytes = std::as_bytes(std::span{png});
     return {bytes.begin(), bytes.end()};
@@ -71,13 +76,15 @@ int source_of(int component, int channels) {
 }  // namespace
 
 void write_png(const std::filesystem::path& file, const Plane<Rgb8>& picture) {
-    const std::vector<unsigned char> png = encoded(picture, Format::png, file.string());
-    write_whole_file(file, std::as_bytes(std::span{png}));
+    write_encoded(file, picture, Format::png);
 }
 
 void write_webp(const std::filesystem::path& file, const Plane<Rgb8>& picture) {
-    const std::vector<unsigned char> webp = encoded(picture, Format::webp, file.string());
-    write_whole_file(file, std::as_bytes(std::span{webp}));
+    write_encoded(file, picture, Format::webp);
+}
+
+void write_jpeg(const std::filesystem::path& file, const Plane<Rgb8>& picture) {
+    write_encoded(file, picture, Format::jpeg);
 }
 
 std::vector<std::byte> encode_png(const Plane<Rgb8>& picture) {

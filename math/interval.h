@@ -53,11 +53,20 @@ class Interval {
         const double b_held = sum - a;
         return (a - (sum - b_held)) + (b - b_held) == 0;
     }
-    /// The rounding error of a product is a double where it does not underflow.
+    /// The rounding error of a product is a double where it does not underflow. Without fma(), which is a call
+    /// where a program must run on processors that lack it; factors beyond 2^996 overflow, and are not exact.
     static bool is_exact_product(double a, double b, double product) {
         constexpr double least = 0x1p-900;
         const bool holds_its_error = std::abs(product) > least || a == 0 || b == 0;
-        return holds_its_error && std::fma(a, b, -product) == 0;
+        const double a_upper = upper_half(a), a_lower = a - a_upper;
+        const double b_upper = upper_half(b), b_lower = b - b_upper;
+        const double left = ((product - a_upper * b_upper) - a_lower * b_upper) - a_upper * b_lower;
+        return holds_its_error && a_lower * b_lower == left;
+    }
+    /// The leading 26 bits (Dekker 1971).
+    static double upper_half(double x) {
+        const double shifted = x * (0x1p27 + 1);
+        return shifted - (shifted - x);
     }
     /// x minus (plus) |x| 2^-52 is at or beyond the next double, since ulp(x) <= |x| 2^-52. What underflowed
     /// is within the least denormal number; a larger step keeps what follows out of their range, where

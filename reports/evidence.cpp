@@ -55,7 +55,7 @@ void write_view_evidence(const fs::path& folder, const Frame& candidate, const F
 }
 
 void write_large_picture(const fs::path& folder, const Plane<Rgb8>& picture) {
-    write_webp(folder / "view-large.webp", picture);
+    write_jpeg(folder / "view-large.jpg", picture);
 }
 
 void write_oracle_frame(const fs::path& folder, const std::string& oracle, const Frame& frame) {

@@ -26,7 +26,7 @@ void write_view_summary(const std::filesystem::path& folder, const Plane<Rgb8>& 
 void write_view_evidence(const std::filesystem::path& folder, const Frame& candidate, const Frame& reference,
                          const Verdict& verdict);
 
-/// view-large.webp beside them (reports/view_picture.h).
+/// view-large.jpg beside them (reports/view_picture.h).
 void write_large_picture(const std::filesystem::path& folder, const Plane<Rgb8>& picture);
 
 /// ORACLE.exr beside them; the name is one that zproof knows, so a file can have it.

@@ -26,8 +26,8 @@ std::string caption_of_classes(const ViewResult& view) {
 std::vector<PagePicture> kinds_of(const ViewResult& view) {
     std::vector<PagePicture> kinds{
         {"view",
-         "view-large.webp",
-         "view-large.webp",
+         "view-large.jpg",
+         "view-large.jpg",
          "What the candidate saw, shaded by zproof. Rings: pixels that differ, in the colour of their class.",
          {}},
         shrunk_picture("class", caption_of_classes(view)),
@@ -53,7 +53,8 @@ std::vector<PagePicture> pictures_of(const ViewResult& view, const std::filesyst
 
 /// The file as a data URI; empty where there is none.
 std::string data_uri(const std::filesystem::path& file) {
-    const std::string bytes = content_of(file), kind = file.extension() == ".webp" ? "webp" : "png";
+    const std::string bytes = content_of(file), end = file.extension().string();
+    const std::string kind = end == ".jpg" ? "jpeg" : end.substr(1);
     return bytes.empty() ? "" : "data:image/" + kind + ";base64," + base64(bytes);
 }
 
