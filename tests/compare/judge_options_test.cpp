@@ -189,7 +189,8 @@ TEST(Explain, AFindingNeedsNoSecondLookAtTheFrame) {
             ++told[f.candidate.primitive != f.reference.primitive];
         }
         const Explainer explainer(s.scene, s.view, ours, theirs);
-        const auto by_finding = explainer.begin(pixels), anew = explainer.begin(explainer.undecided_at(places));
+        const auto by_finding = explainer.begin(pixels),
+                   anew = explainer.begin(explainer.undecided_at(places));
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             EXPECT_EQ(in_words(s.scene, by_finding[i]), in_words(s.scene, anew[i]));
             EXPECT_EQ(by_finding[i].candidate.admissibility, anew[i].candidate.admissibility);
