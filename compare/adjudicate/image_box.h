@@ -30,6 +30,7 @@ struct Box {
     bool is_empty() const { return !(left <= right && top <= bottom); }
     static Box unlimited() { return {-without_end, -without_end, without_end, without_end}; }
     bool operator==(const Box&) const = default;
+    bool holds(double x, double y) const { return left <= x && x <= right && top <= y && y <= bottom; }
     bool meets(const Box& o) const {
         return left <= o.right && o.left <= right && top <= o.bottom && o.top <= bottom;
     }

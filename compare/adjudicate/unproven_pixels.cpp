@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 
 #include "compare/adjudicate/image_box.h"
 #include "compare/admissible/neighbourhood.h"
@@ -139,25 +140,46 @@ bool holds_a_centre(const Box& box) {
     return std::floor(box.right - 0.5) >= box.left - 0.5 && std::floor(box.bottom - 0.5) >= box.top - 0.5;
 }
 
-/// Marks the pixels at which the reference shows one of these triangles farther beyond its corners than the
-/// candidate displaces it: by rounding, which proves nothing unless the candidate's edges err as much.
+/// Where the reference shows a triangle farther beyond its corners than the candidate displaces it: by
+/// rounding, which proves nothing unless the candidate's edges err as much.
+class BeyondCorners {
+  public:
+    BeyondCorners(const FramePair& frames, std::uint32_t triangle)
+        : frames_(frames),
+          p_world_(corners_of(frames.scene, triangle)),
+          image_(BoxProjection(frames.view)(p_world_)) {}
+
+    bool holds(const glm::dvec2& p_raster) const {
+        if (image_.holds(p_raster.x, p_raster.y)) return false;
+        const auto rounding = [](const TriangleBounds& b) { return std::ranges::max(b.edge_rounding_px); };
+        const TriangleBounds candidate = frames_.candidate.bounds.of(p_world_);
+        Box displaced = image_;
+        displaced.widen(candidate.most_eps_px());
+        return !displaced.holds(p_raster.x, p_raster.y) &&
+               rounding(candidate) < rounding(frames_.reference.bounds.of(p_world_));
+    }
+
+  private:
+    const FramePair& frames_;
+    CornersWorld p_world_;
+    Box image_;
+};
+
+/// Marks the pixels at which the reference shows one of these triangles beyond its corners.
 void mark_beyond_corners(const FramePair& frames, const std::vector<std::uint8_t>& is_thin,
                          Plane<std::uint8_t>& pixels) {
     if (std::ranges::count(is_thin, 1) == 0) return;
-    const BoxProjection project(frames.view);
-    const auto rounding = [](const TriangleBounds& b) { return std::ranges::max(b.edge_rounding_px); };
     tbb::parallel_for(0, frames.view.height, [&](int y) {
+        std::size_t shown = is_thin.size();
+        std::optional<BeyondCorners> beyond;  // of the triangle that is shown, where it is thin
         for (int x = 0; x < frames.view.width; ++x) {
             const auto i = std::size_t(frames.reference.frame.primitive.at(x, y));
-            if (i >= is_thin.size() || !is_thin[i]) continue;
-            const CornersWorld p_world = corners_of(frames.scene, std::uint32_t(i));
-            const TriangleBounds candidate = frames.candidate.bounds.of(p_world);
-            Box box = project(p_world);
-            box.widen(candidate.most_eps_px());
-            const glm::dvec2 at = sampled_at(frames.view, x, y);
-            const bool is_beyond = at.x < box.left || at.x > box.right || at.y < box.top || at.y > box.bottom;
-            if (is_beyond && rounding(candidate) < rounding(frames.reference.bounds.of(p_world)))
-                pixels.at(x, y) = 1;
+            if (i != shown) {
+                shown = i;
+                beyond.reset();
+                if (i < is_thin.size() && is_thin[i]) beyond.emplace(frames, std::uint32_t(i));
+            }
+            if (beyond && beyond->holds(sampled_at(frames.view, x, y))) pixels.at(x, y) = 1;
         }
     });
 }
