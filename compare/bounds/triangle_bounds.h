@@ -117,25 +117,26 @@ class BoundsOnPlane {
           depth_factor_(b.depth_factor),
           depth_share_(b.depth_share),
           plane_offset_(b.plane_offset),
-          everywhere_{.depth_absolute = b.depth_absolute,
-                      .inverse_depth_error = b.inverse_depth_error,
-                      .inverse_depth_bias = b.inverse_depth_bias} {}
+          depth_absolute_(b.depth_absolute),
+          inverse_depth_error_(b.inverse_depth_error),
+          inverse_depth_bias_(b.inverse_depth_bias) {}
 
     LocalBounds at(double inverse_depth) const {
         const double here = held_between(inverse_depth, corners_.least, corners_.highest);
-        LocalBounds local = everywhere_;
-        local.eps_px = eps_px_.at(here);
-        local.depth_eps_px = depth_eps_px_.at(here);
         const double offset = plane_offset_ / here;
-        local.depth_relative = compounded(depth_factor_ + (plane_offset_ > 0 ? offset : 0)) + depth_share_;
-        return local;
+        return {.eps_px = eps_px_.at(here),
+                .depth_eps_px = depth_eps_px_.at(here),
+                .depth_relative = compounded(depth_factor_ + (plane_offset_ > 0 ? offset : 0)) + depth_share_,
+                .depth_absolute = depth_absolute_,
+                .inverse_depth_error = inverse_depth_error_,
+                .inverse_depth_bias = inverse_depth_bias_};
     }
 
   private:
     CornerInverseDepth corners_;
     Displacement eps_px_, depth_eps_px_;
     double depth_factor_ = 0, depth_share_ = 0, plane_offset_ = 0;
-    LocalBounds everywhere_;  ///< what is the same at all places
+    double depth_absolute_ = 0, inverse_depth_error_ = 0, inverse_depth_bias_ = 0;  ///< the same at all places
 };
 
 }  // namespace zproof

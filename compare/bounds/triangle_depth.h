@@ -40,8 +40,8 @@ class TriangleDepth {
         if (!(bound.high < unlimited)) return false;
         const bool perspective = projection_ == Projection::perspective;
         const double error = is_edge_on_ ? 0 : own_error_;
-        return perspective ? holds<Projection::perspective>(bound, depth, error)
-                           : holds<Projection::parallel>(bound, depth, error);
+        return (perspective ? if_held<Projection::perspective>(bound, depth, error, 0)
+                            : if_held<Projection::parallel>(bound, depth, error, 0)) == 0;
     }
     /// Does it lie outside the interval by more than the interval's width and our own rounding? No arithmetic
     /// holds such a depth admissible: the width is more than rounding changes of any term of the bound.
@@ -55,12 +55,11 @@ class TriangleDepth {
     template <Projection projection>
     double certain_error(double x, double y, float depth) const {
         const DepthBound bound = rounded(on_plane<projection>(x, y));
-        const bool is_certain = (bound.high < unlimited) & (bound.truth < unlimited) &
-                                holds<projection>(bound, depth, own_error_);
         const double error = std::abs(depth - bound.truth), below = bound.truth - bound.low,
                      above = bound.high - bound.truth;
-        const double share = error / (depth < bound.truth ? below : above);
-        return is_certain ? (error > 0 ? share : 0) : -1;
+        const double share = error / (depth < bound.truth ? below : above),
+                     known = bound.truth < unlimited ? (error > 0 ? share : 0) : -1;
+        return if_held<projection>(bound, depth, own_error_, bound.high < unlimited ? known : -1);
     }
 
   private:
@@ -101,11 +100,14 @@ class TriangleDepth {
         constexpr double rounding = 8 * unit_roundoff_float64;
         return (projection == Projection::perspective ? 2 * own_error * h * h : own_error) + rounding * h;
     }
+    /// The value, or -1 where the bound does not hold z for certain. Conditions stand one by one: the compiler
+    /// does several pixels at a time of choices between numbers, not of logic.
     template <Projection projection>
-    static bool holds(const DepthBound& bound, float depth, double own_error) {
-        const double z = depth;
-        return (z >= 0) & (bound.low + unsure_of<projection>(z, own_error) <= z) &
-               (z <= bound.high - unsure_of<projection>(bound.high, own_error));
+    static double if_held(const DepthBound& bound, double z, double own_error, double value) {
+        const double least = bound.low + unsure_of<projection>(z, own_error),
+                     greatest = bound.high - unsure_of<projection>(bound.high, own_error);
+        const double if_before_eye = z >= 0 ? value : -1, if_above = least <= z ? if_before_eye : -1;
+        return z <= greatest ? if_above : -1;
     }
     template <Projection projection>
     bool refuses(const DepthBound& bound, double z) const {
