@@ -14,8 +14,8 @@ namespace zproof {
 
 namespace {
 
-/// Rows that are looked at together: so many share their triangles.
-constexpr int band_height = 32;
+/// Pixels that are looked at together: so many share their triangles, whose bounds stay in the cache.
+constexpr int block_width = 256, block_height = 32;
 
 /// What a triangle's depth may be by both renderers' bounds, as they show it, and as the candidate compares
 /// it.
@@ -23,13 +23,13 @@ struct Depths {
     TriangleDepth candidate, reference, compared;
 };
 
-/// Pixels [first, end) of a row, which show the same: a triangle, or none of the scene's.
+/// Pixels [first, end) of a block's row, which show the same: a triangle, or none of the scene's.
 struct Run {
     std::size_t first, end;
     const Depths* depths;  ///< null where it is none
 };
 
-/// What one frame shows in a row, and whose bounds its depths are held against.
+/// What one frame shows in a block's row, and whose bounds its depths are held against.
 struct Look {
     std::span<const PrimitiveId> ids;
     const std::vector<float>& depths;
@@ -37,11 +37,11 @@ struct Look {
     TriangleDepth Depths::*bounds;
 };
 
-/// Looks at some rows of both frames.
-class BandScan {
+/// Looks at blocks of both frames.
+class BlockScan {
   public:
-    BandScan(const FramePair& frames, const Plane<std::uint8_t>& is_unproven, ErrorMaps* maps,
-             Agreement& found)
+    BlockScan(const FramePair& frames, const Plane<std::uint8_t>& is_unproven, ErrorMaps* maps,
+              Agreement& found)
         : frames_(frames),
           is_unproven_(is_unproven),
           maps_(maps),
@@ -54,14 +54,27 @@ class BandScan {
             errors->resize(padded);
     }
 
-    void scan(int y) {
+    void scan_block(int left, int top) {
+        of_triangle_.clear();
+        const int right = std::min(left + block_width, frames_.view.width),
+                  bottom = std::min(top + block_height, frames_.view.height);
+        for (int y = top; y < bottom; ++y) scan(y, std::size_t(left), std::size_t(right));
+    }
+
+  private:
+    /// Pixels [left, right) of a row.
+    void scan(int y, std::size_t left, std::size_t right) {
         const Frame &ours = frames_.candidate.frame, &theirs = frames_.reference.frame;
-        const auto our_ids = ours.primitive.row(y), their_ids = theirs.primitive.row(y);
-        const std::vector<Run> our_runs = runs_in(our_ids),
-                               their_runs =
-                                   std::ranges::equal(our_ids, their_ids) ? our_runs : runs_in(their_ids);
-        std::ranges::copy(ours.camera_depth.row(y), candidate_depths_.begin());
-        std::ranges::copy(theirs.camera_depth.row(y), reference_depths_.begin());
+        const auto our_ids = ours.primitive.row(y).first(right),
+                   their_ids = theirs.primitive.row(y).first(right);
+        const bool are_same = std::ranges::equal(our_ids.subspan(left), their_ids.subspan(left));
+        const std::vector<Run> our_runs = runs_in(our_ids, left),
+                               their_runs = are_same ? our_runs : runs_in(their_ids, left);
+        const auto copy = [&](const Frame& frame, std::vector<float>& depths) {
+            std::ranges::copy(frame.camera_depth.row(y).first(right).subspan(left), &depths[left]);
+        };
+        copy(ours, candidate_depths_);
+        copy(theirs, reference_depths_);
         const Look candidate{our_ids, candidate_depths_, our_runs, &Depths::candidate},
             reference{their_ids, reference_depths_, their_runs, &Depths::reference};
         find_errors(candidate, y, candidate_errors_, reference_depths_.data(), theirs_by_ours_.data());
@@ -75,10 +88,9 @@ class BandScan {
         write_map(reference, reference_errors_, y, maps_->reference);
     }
 
-  private:
-    std::vector<Run> runs_in(std::span<const PrimitiveId> ids) {
+    std::vector<Run> runs_in(std::span<const PrimitiveId> ids, std::size_t left) {
         std::vector<Run> runs;
-        for (std::size_t first = 0; first < ids.size(); first = runs.back().end) {
+        for (std::size_t first = left; first < ids.size(); first = runs.back().end) {
             std::size_t end = first + 1;
             while (end < ids.size() && ids[end] == ids[first]) ++end;
             const bool is_triangle = std::size_t(ids[first]) < frames_.scene.triangles.size();
@@ -92,9 +104,10 @@ class BandScan {
         if (is_new) {
             const TriangleInView triangle(first_pixel_, frames_.candidate.bounds,
                                           corners_of(frames_.scene, std::uint32_t(id)));
-            found->second = {TriangleDepth(triangle, frames_.candidate.shown_bounds),
-                             TriangleDepth(triangle, frames_.reference.shown_bounds),
-                             TriangleDepth(triangle, frames_.candidate.bounds)};
+            Depths& depths = found->second;
+            depths.candidate = TriangleDepth(triangle, frames_.candidate.shown_bounds);
+            depths.reference = TriangleDepth(triangle, frames_.reference.shown_bounds);
+            if (is_in_steps_) depths.compared = TriangleDepth(triangle, frames_.candidate.bounds);
         }
         return found->second;
     }
@@ -164,11 +177,16 @@ class BandScan {
 }  // namespace
 
 Agreement find_agreement(const FramePair& frames, const Plane<std::uint8_t>& is_unproven, ErrorMaps* maps) {
-    const int height = frames.view.height, bands = (height + band_height - 1) / band_height;
+    const int bands = (frames.view.height + block_height - 1) / block_height;
     std::vector<Agreement> of_band(std::size_t(bands), Agreement{});
     tbb::parallel_for(0, bands, [&](int band) {
-        BandScan scan(frames, is_unproven, maps, of_band[std::size_t(band)]);
-        for (int y = band * band_height; y < std::min((band + 1) * band_height, height); ++y) scan.scan(y);
+        Agreement& found = of_band[std::size_t(band)];
+        BlockScan scan(frames, is_unproven, maps, found);
+        for (int left = 0; left < frames.view.width; left += block_width)
+            scan.scan_block(left, band * block_height);
+        std::ranges::sort(found.undecided, {}, [](const UndecidedPixel& pixel) {
+            return std::pair{pixel.place.y, pixel.place.x};
+        });
     });
     Agreement all;
     for (const Agreement& part : of_band) {
