@@ -23,6 +23,8 @@ enum class LevelFormat {
 enum class Decoding { before_filtering, after_filtering, never, twice };
 
 /// What a user may set of a method.
+class ChainStore;
+
 struct Settings {
     WrapRules wrap;
     ChainKernel kernel = ChainKernel::polyphase;
@@ -42,6 +44,7 @@ struct Settings {
     /// Whose triangles show the texture, its image of this index; null: not known.
     const Scene* scene = nullptr;
     int image = 0;
+    std::shared_ptr<ChainStore> chains{};  ///< that other references have made; null: none
     double texel_error =
         0;  ///< stored texels of level 0 are rounded by at most this much (a table of integers)
 };

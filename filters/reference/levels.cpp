@@ -6,10 +6,12 @@
 namespace zproof::oracle::filter_reference {
 
 Levels::Levels(const texture::LinearImage& image, const Settings& settings)
-    : Levels(chain(image, settings), settings) {}
+    : settings_(settings),
+      levels_(settings.chains ? settings.chains->of(image, settings)
+                              : std::make_shared<const std::vector<IntervalImage>>(chain(image, settings))) {}
 
 Levels::Levels(std::vector<IntervalImage> levels, const Settings& settings)
-    : settings_(settings), levels_(std::move(levels)) {}
+    : settings_(settings), levels_(std::make_shared<const std::vector<IntervalImage>>(std::move(levels))) {}
 
 PermittedColours Levels::nearest_in(int level, const TexelInterval& place,
                                     const FilterPrecision& precision) const {

@@ -11,8 +11,8 @@ class Levels {
     Levels(const texture::LinearImage& image, const Settings& settings);
     Levels(std::vector<IntervalImage> levels, const Settings& settings);
 
-    std::size_t count() const { return levels_.size(); }
-    const IntervalImage& at(int level) const { return levels_[std::size_t(level)]; }
+    std::size_t count() const { return levels_->size(); }
+    const IntervalImage& at(int level) const { return (*levels_)[std::size_t(level)]; }
     const Settings& settings() const { return settings_; }
 
     PermittedColours nearest_in(int level, const TexelInterval& place,
@@ -27,7 +27,7 @@ class Levels {
                                  const FilterPrecision& precision) const;
 
     Settings settings_;
-    std::vector<IntervalImage> levels_;
+    Chain levels_;
 };
 
 /// A definition over a mip chain: the chain is made once.

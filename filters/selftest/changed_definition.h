@@ -31,7 +31,7 @@ FilterClaim claim_under(const DefinitionChange& change, FilterClaim claim);
 Picture picture_under(const DefinitionChange& change, const FilterFixture& fixture, const FilterClaim& claim);
 
 /// Filter references of one claim under changes. The fixture must outlive it and them; the surfaces that may
-/// be seen are found once.
+/// be seen are found once, and so are chains.
 class ChangedDefinitions {
   public:
     /// The method must have a filter reference.
@@ -44,6 +44,7 @@ class ChangedDefinitions {
     const FilterFixture& fixture_;
     FilterClaim claim_;
     std::shared_ptr<const oracle::AdmissibleSurfaces> surfaces_;
+    std::shared_ptr<oracle::filter_reference::ChainStore> chains_;
 };
 
 }  // namespace zproof::selftest

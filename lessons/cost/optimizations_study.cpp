@@ -53,17 +53,27 @@ bool same_bits(float a, float b) {
     return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
+struct Sames {
+    bool id, depth;
+};
+
+Sames sames_at(std::size_t pixel, const Frame& a, const Frame& b) {
+    return {a.primitive.pixels()[pixel] == b.primitive.pixels()[pixel],
+            same_bits(a.camera_depth.pixels()[pixel], b.camera_depth.pixels()[pixel])};
+}
+
 /// The pixels in which two frames differ, beside the defects of one.
 Sameness differing(const Frame& a, const Frame& b, std::uint64_t defects) {
     Sameness same{.defects = defects};
     for (std::size_t i = 0; i < a.primitive.pixels().size(); ++i) {
-        same.other_ids += a.primitive.pixels()[i] != b.primitive.pixels()[i] ? 1 : 0;
-        same.other_depths += same_bits(a.camera_depth.pixels()[i], b.camera_depth.pixels()[i]) ? 0 : 1;
+        const auto [id, depth] = sames_at(i, a, b);
+        same.other_ids += id ? 0 : 1;
+        same.other_depths += depth ? 0 : 1;
     }
     return same;
 }
 
-/// Knows the plain frame, and asks the judge once about frames of the same bits.
+/// Knows the plain frame, and asks the judge once about what several frames show alike at a pixel.
 class Gate {
   public:
     Gate(const Scene& scene, const View& view, const Frame& plain_frame)
@@ -76,17 +86,33 @@ class Gate {
   private:
     struct Asked {
         Frame frame;
-        std::uint64_t defects;
+        Plane<PixelClass> classes;
     };
 
+    /// Where its class is known, the frame that is judged shows what the reference shows.
     std::uint64_t defects_of(const Frame& frame) {
-        for (const Asked& asked : asked_)
-            if (const Sameness same = differing(frame, asked.frame, 0);
-                same.other_ids + same.other_depths == 0)
-                return asked.defects;
-        const std::uint64_t defects = defect_count(
-            judge(scene_, view_, {frame, rasterizer::precision()}, {reference_, oracle::embree_precision()}));
-        asked_.push_back({frame, defects});
+        Frame judged = frame;
+        std::vector<const Asked*> known(frame.primitive.pixels().size());
+        for (std::size_t i = 0; i < known.size(); ++i) {
+            const auto shows_same = [&](const Asked& asked) {
+                const auto [id, depth] = sames_at(i, asked.frame, frame);
+                return id && depth;
+            };
+            const auto found = std::ranges::find_if(asked_, shows_same);
+            if (found == asked_.end()) continue;
+            known[i] = &*found;
+            judged.primitive.pixels()[i] = reference_.primitive.pixels()[i];
+            judged.camera_depth.pixels()[i] = reference_.camera_depth.pixels()[i];
+        }
+        Plane<PixelClass> classes(frame.size());
+        if (std::ranges::count(known, nullptr) > 0)
+            classes = judge(scene_, view_, {judged, rasterizer::precision()},
+                            {reference_, oracle::embree_precision()})
+                          .classes;
+        for (std::size_t i = 0; i < known.size(); ++i)
+            if (known[i]) classes.pixels()[i] = known[i]->classes.pixels()[i];
+        const auto defects = std::uint64_t(std::ranges::count_if(classes.pixels(), is_defect));
+        asked_.push_back({frame, std::move(classes)});
         return defects;
     }
 
@@ -94,7 +120,7 @@ class Gate {
     const View& view_;
     const Frame& plain_;
     Frame reference_;
-    std::vector<Asked> asked_;
+    std::deque<Asked> asked_;
 };
 
 /// Every optimization's work counted, and all of them timed in turn.
