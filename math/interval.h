@@ -53,8 +53,9 @@ class Interval {
         const double b_held = sum - a;
         return (a - (sum - b_held)) + (b - b_held) == 0;
     }
-    /// The rounding error of a product is a double where it does not underflow. Without fma(), which is a call
-    /// where a program must run on processors that lack it; factors beyond 2^996 overflow, and are not exact.
+    /// The rounding error of a product is a double where it does not underflow. Without fma(), which is a
+    /// call where a program must run on processors that lack it; factors beyond 2^996 overflow, and are not
+    /// exact.
     static bool is_exact_product(double a, double b, double product) {
         constexpr double least = 0x1p-900;
         const bool holds_its_error = std::abs(product) > least || a == 0 || b == 0;

@@ -136,7 +136,8 @@ class BoundsOnPlane {
     CornerInverseDepth corners_;
     Displacement eps_px_, depth_eps_px_;
     double depth_factor_ = 0, depth_share_ = 0, plane_offset_ = 0;
-    double depth_absolute_ = 0, inverse_depth_error_ = 0, inverse_depth_bias_ = 0;  ///< the same at all places
+    double depth_absolute_ = 0, inverse_depth_error_ = 0,
+           inverse_depth_bias_ = 0;  ///< the same at all places
 };
 
 }  // namespace zproof

@@ -100,8 +100,8 @@ class TriangleDepth {
         constexpr double rounding = 8 * unit_roundoff_float64;
         return (projection == Projection::perspective ? 2 * own_error * h * h : own_error) + rounding * h;
     }
-    /// The value, or -1 where the bound does not hold z for certain. Conditions stand one by one: the compiler
-    /// does several pixels at a time of choices between numbers, not of logic.
+    /// The value, or -1 where the bound does not hold z for certain. Conditions stand one by one: the
+    /// compiler does several pixels at a time of choices between numbers, not of logic.
     template <Projection projection>
     static double if_held(const DepthBound& bound, double z, double own_error, double value) {
         const double least = bound.low + unsure_of<projection>(z, own_error),
