@@ -89,28 +89,33 @@ class Gate {
         Plane<PixelClass> classes;
     };
 
-    /// Where its class is known, the frame that is judged shows what the reference shows.
-    std::uint64_t defects_of(const Frame& frame) {
-        Frame judged = frame;
-        std::vector<const Asked*> known(frame.primitive.pixels().size());
-        for (std::size_t i = 0; i < known.size(); ++i) {
-            const auto shows_same = [&](const Asked& asked) {
-                const auto [id, depth] = sames_at(i, asked.frame, frame);
-                return id && depth;
-            };
-            const auto found = std::ranges::find_if(asked_, shows_same);
-            if (found == asked_.end()) continue;
-            known[i] = &*found;
-            judged.primitive.pixels()[i] = reference_.primitive.pixels()[i];
-            judged.camera_depth.pixels()[i] = reference_.camera_depth.pixels()[i];
+    /// The earlier frame that shows the same at a pixel; null where none does.
+    std::vector<const Asked*> asked_alike(const Frame& frame) const {
+        std::vector<const Asked*> alike(frame.primitive.pixels().size());
+        for (std::size_t i = 0; i < alike.size(); ++i)
+            for (const Asked& asked : asked_)
+                if (const auto [id, depth] = sames_at(i, asked.frame, frame); id && depth) alike[i] = &asked;
+        return alike;
+    }
+
+    /// Right only at pixels without an earlier frame: elsewhere what the reference shows is judged.
+    Plane<PixelClass> judged(Frame frame, const std::vector<const Asked*>& alike) const {
+        for (std::size_t i = 0; i < alike.size(); ++i) {
+            if (!alike[i]) continue;
+            frame.primitive.pixels()[i] = reference_.primitive.pixels()[i];
+            frame.camera_depth.pixels()[i] = reference_.camera_depth.pixels()[i];
         }
-        Plane<PixelClass> classes(frame.size());
-        if (std::ranges::count(known, nullptr) > 0)
-            classes = judge(scene_, view_, {judged, rasterizer::precision()},
-                            {reference_, oracle::embree_precision()})
-                          .classes;
-        for (std::size_t i = 0; i < known.size(); ++i)
-            if (known[i]) classes.pixels()[i] = known[i]->classes.pixels()[i];
+        return judge(scene_, view_, {frame, rasterizer::precision()},
+                     {reference_, oracle::embree_precision()})
+            .classes;
+    }
+
+    std::uint64_t defects_of(const Frame& frame) {
+        const std::vector<const Asked*> alike = asked_alike(frame);
+        const bool is_known = std::ranges::count(alike, nullptr) == 0;
+        Plane<PixelClass> classes = is_known ? Plane<PixelClass>(frame.size()) : judged(frame, alike);
+        for (std::size_t i = 0; i < alike.size(); ++i)
+            if (alike[i]) classes.pixels()[i] = alike[i]->classes.pixels()[i];
         const auto defects = std::uint64_t(std::ranges::count_if(classes.pixels(), is_defect));
         asked_.push_back({frame, std::move(classes)});
         return defects;
