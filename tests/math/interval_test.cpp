@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <optional>
 
 #include "doubles.h"
@@ -119,6 +120,26 @@ TEST(Interval, StaysANumberWhereDoubleHoldsTheResult) {
     for (const Interval& rounded :
          {three * tenth, three + tenth, three - tenth, quarter / three, three / tenth})
         EXPECT_FALSE(is_a_number(rounded)) << rounded.low();
+}
+
+/// A random double of at most so many significant bits.
+double short_double(std::mt19937_64& random, int bits) {
+    const auto low_bits = ~std::uint64_t{0} << (53 - bits);
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(random_double(random, -400, 400)) & low_bits);
+}
+
+TEST(Interval, OfAProductIsANumberExactlyWhereDoubleHoldsIt) {
+    std::mt19937_64 random(5);
+    std::size_t exact = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const int bits = 20 + i % 34;
+        const double a = short_double(random, bits), b = short_double(random, 53 - i % 40);
+        const bool is_held = Rational(a) * Rational(b) == Rational(a * b);
+        EXPECT_EQ(is_a_number(Interval(a) * Interval(b)), is_held) << a << ' ' << b;
+        exact += is_held;
+    }
+    EXPECT_GT(exact, 3000u);
+    EXPECT_LT(exact, 17000u);
 }
 
 TEST(Interval, DoesNotTakeAnUnderflowForAnExactResult) {
