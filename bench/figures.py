@@ -92,7 +92,7 @@ def judge_rows(samples):
     rows = []
     for (_, view), by_who in samples.items():
         scene, _, name = view.partition("-")
-        rows.append((scene, name, round(min(by_who["zproof"]), 1), round(min(by_who["Embree's rays"]), 1)))
+        rows.append((scene, name, round(min(by_who["zproof"]), 4), round(min(by_who["Embree's rays"]), 4)))
     return rows
 
 
