@@ -8,7 +8,6 @@
 #include <unordered_map>
 
 #include "cli/arguments.h"
-#include "compare/explanation/explainer.h"
 #include "compare/explanation/illustration.h"
 #include "image_io/image_io.h"
 #include "program/samples.h"
@@ -31,13 +30,10 @@ std::vector<planes::TriangleRange> ranges_of(const Scene& scene) {
 std::vector<planes::Story> stories_of(const JudgedView& judged) {
     const Scene& scene = judged.context.scene;
     const View& view = judged.context.view;
-    const std::size_t most =
-        defect_count(judged.verdict) > 0 ? most_stories_of_failed : most_stories_of_proven;
-    std::vector<UndecidedPixel> pixels;
-    for (const Finding* finding : telling_findings(judged.verdict, most))
-        pixels.push_back(undecided_of(*finding));
+    const std::vector<PixelCoord> places = telling_pixels(
+        judged.verdict, defect_count(judged.verdict) > 0 ? most_stories_of_failed : most_stories_of_proven);
     std::vector<IllustratedExplanation> told =
-        illustrate(scene, view, judged.candidate, judged.reference, {pixels, drawn_around_px, most_images});
+        illustrate(scene, view, judged.candidate, judged.reference, {places, drawn_around_px, most_images});
     std::vector<planes::Story> stories(told.size());
     tbb::parallel_for(std::size_t(0), told.size(), [&](std::size_t i) {
         auto& [story, images] = told[i];
@@ -115,7 +111,7 @@ Picture colours_in(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::vector<const Finding*> telling_findings(const Verdict& verdict, std::size_t most) {
+std::vector<PixelCoord> telling_pixels(const Verdict& verdict, std::size_t most) {
     std::vector<const Finding*> told = worst_of_each_pair(verdict.findings);
     if (told.size() < most) {
         const std::vector<const Finding*> rest = worst_but(told, verdict.findings, most - told.size());
@@ -123,7 +119,9 @@ std::vector<const Finding*> telling_findings(const Verdict& verdict, std::size_t
     }
     told.resize(std::min(told.size(), most));
     std::ranges::sort(told, {}, [](const Finding* f) { return std::pair{f->y, f->x}; });
-    return told;
+    std::vector<PixelCoord> places;
+    for (const Finding* finding : told) places.push_back({finding->x, finding->y});
+    return places;
 }
 
 void write_viewer_summary(const std::filesystem::path& folder, const JudgedView& judged) {

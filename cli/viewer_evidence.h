@@ -25,8 +25,8 @@ void write_viewer_evidence(const std::filesystem::path& folder, const JudgedView
 /// As write_viewer_evidence(), of what differs alone: no planes of ids, depths and errors, no stories.
 void write_viewer_summary(const std::filesystem::path& folder, const JudgedView& judged);
 
-/// The findings whose stories are told: of every pair of triangles that some class arises between the worst
+/// The pixels whose stories are told: of every pair of triangles that some class arises between the worst
 /// one, severest class first, then the worst of all, `most` in all; in raster order.
-std::vector<const Finding*> telling_findings(const Verdict& verdict, std::size_t most);
+std::vector<PixelCoord> telling_pixels(const Verdict& verdict, std::size_t most);
 
 }  // namespace zproof

@@ -14,7 +14,7 @@ PixelExplanation explain(const Scene& scene, const View& view, const RenderedFra
 std::vector<PixelExplanation> explain(const Scene& scene, const View& view, const RenderedFrame& candidate,
                                       const RenderedFrame& reference, std::span<const PixelCoord> places) {
     const Explainer explainer(scene, view, candidate, reference);
-    std::vector<PixelExplanation> explanations = explainer.begin(explainer.undecided_at(places));
+    std::vector<PixelExplanation> explanations = explainer.begin(places);
     std::vector<SearchPixel> search_pixels;
     for (const PixelExplanation& explanation : explanations)
         search_pixels.push_back(search_pixel_of(explanation));

@@ -69,7 +69,7 @@ void require_inside(const View& view, const PixelCoord& place) {
 
 }  // namespace
 
-std::vector<UndecidedPixel> Explainer::undecided_at(std::span<const PixelCoord> places) const {
+std::vector<PixelExplanation> Explainer::begin(std::span<const PixelCoord> places) const {
     for (const PixelCoord& place : places) require_inside(frames_.view, place);
     std::vector<UndecidedPixel> undecided;
     const std::vector<UndecidedPixel> of_first_tier =
@@ -78,13 +78,9 @@ std::vector<UndecidedPixel> Explainer::undecided_at(std::span<const PixelCoord> 
         const auto found = std::ranges::find(of_first_tier, place, &UndecidedPixel::place);
         undecided.push_back({place, false, found != of_first_tier.end() && found->is_id_undecided});
     }
-    return undecided;
-}
-
-std::vector<PixelExplanation> Explainer::begin(std::span<const UndecidedPixel> pixels) const {
-    std::vector<PixelExplanation> explanations(pixels.size());
-    check_pixels(frames_, pixels, [&](std::size_t i, const PixelCheck& pixel) {
-        explanations[i] = partial_explanation(frames_, pixel, pixels[i].place);
+    std::vector<PixelExplanation> explanations(places.size());
+    check_pixels(frames_, undecided, [&](std::size_t i, const PixelCheck& pixel) {
+        explanations[i] = partial_explanation(frames_, pixel, places[i]);
     });
     return explanations;
 }
@@ -114,11 +110,6 @@ void Explainer::finish(PixelExplanation& explanation, const SearchPixel& search_
     std::erase_if(near,
                   [](const Candidate& c) { return c.decision.admissibility == Admissibility::outside; });
     explanation.candidates = std::move(near);
-}
-
-UndecidedPixel undecided_of(const Finding& finding) {
-    const bool ids_differ = finding.candidate.primitive != finding.reference.primitive;
-    return {.place = {finding.x, finding.y}, .is_id_undecided = ids_differ || finding.eps_px > 0};
 }
 
 SearchPixel search_pixel_of(const PixelExplanation& explanation, double reach_px) {

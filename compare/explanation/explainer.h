@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "compare/agree/agree.h"
 #include "compare/explanation/pixel_explanation.h"
 #include "compare/rendered_frame.h"
 
@@ -18,11 +17,9 @@ class Explainer {
               const RenderedFrame& reference)
         : frames_{scene, view, {view, candidate}, {view, reference}} {}
 
-    /// What the first tier leaves undecided at these places: it looks at the whole frame. Throws
-    /// std::out_of_range for a place outside the view.
-    std::vector<UndecidedPixel> undecided_at(std::span<const PixelCoord> places) const;
-    /// Explanations without `candidates` and `background`, in order.
-    std::vector<PixelExplanation> begin(std::span<const UndecidedPixel> pixels) const;
+    /// Explanations without `candidates` and `background`, in order. Throws std::out_of_range for a place
+    /// outside the view.
+    std::vector<PixelExplanation> begin(std::span<const PixelCoord> places) const;
     /// The triangles near pixels, by the bounds of both renderers.
     void search(std::span<SearchPixel> search_pixels) const;
     /// `search_pixel` holds the triangles within the finding's eps_px. At most `most_work` is spent, in cuts
@@ -32,9 +29,6 @@ class Explainer {
   private:
     FramePair frames_;
 };
-
-/// What the first tier left undecided there: an id that was decided has a square.
-UndecidedPixel undecided_of(const Finding& finding);
 
 /// The search for an explanation's triangles: within its finding's eps_px, and at least within `reach_px`.
 SearchPixel search_pixel_of(const PixelExplanation& explanation, double reach_px = 0);

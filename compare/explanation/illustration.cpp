@@ -60,22 +60,22 @@ std::vector<NearbyImage> images_at(const Scene& scene, const View& view, const S
 
 std::vector<IllustratedExplanation> illustrate(const Scene& scene, const View& view,
                                                const RenderedFrame& candidate, const RenderedFrame& reference,
-                                               const IllustrationRequest& request) {
+                                               const IllustrationRequest& places) {
     const Explainer explainer(scene, view, candidate, reference);
-    std::vector<PixelExplanation> explanations = explainer.begin(request.pixels);
+    std::vector<PixelExplanation> explanations = explainer.begin(places.places);
     std::vector<SearchPixel> search_pixels;
     for (const PixelExplanation& explanation : explanations)
-        search_pixels.push_back(search_pixel_of(explanation, request.reach_px));
+        search_pixels.push_back(search_pixel_of(explanation, places.reach_px));
     explainer.search(search_pixels);
     std::vector<IllustratedExplanation> told(explanations.size());
     const std::size_t most_work = std::min(
-        Neighbourhood{}.most_work, most_work_of_a_view / std::max<std::size_t>(request.pixels.size(), 1));
+        Neighbourhood{}.most_work, most_work_of_a_view / std::max<std::size_t>(places.places.size(), 1));
     tbb::parallel_for(std::size_t(0), explanations.size(), [&](std::size_t i) {
         SearchPixel drawn = search_pixels[i], explained = search_pixels[i];
         explained.reach_px = explanations[i].finding.eps_px;
-        drawn.reach_px = request.reach_px;
+        drawn.reach_px = places.reach_px;
         explainer.finish(explanations[i], explained, most_work);
-        told[i] = {std::move(explanations[i]), images_at(scene, view, drawn, request.most)};
+        told[i] = {std::move(explanations[i]), images_at(scene, view, drawn, places.most)};
     });
     return told;
 }

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "compare/agree/agree.h"
 #include "compare/explanation/explain.h"
 #include "math/affine.h"
 
@@ -26,14 +25,14 @@ struct IllustratedExplanation {
 
 /// What is explained and drawn.
 struct IllustrationRequest {
-    std::span<const UndecidedPixel> pixels;
-    double reach_px = 0;   ///< triangles whose image may come so near a pixel's centre are drawn
-    std::size_t most = 0;  ///< at each pixel
+    std::span<const PixelCoord> places;
+    double reach_px = 0;   ///< triangles whose image may come so near a place's centre are drawn
+    std::size_t most = 0;  ///< at each place
 };
 
-/// As explain(), each with its drawing. One pass over the scene serves all pixels.
+/// As explain(), each with its drawing. One pass over the scene serves all places.
 std::vector<IllustratedExplanation> illustrate(const Scene& scene, const View& view,
                                                const RenderedFrame& candidate, const RenderedFrame& reference,
-                                               const IllustrationRequest& request);
+                                               const IllustrationRequest& places);
 
 }  // namespace zproof

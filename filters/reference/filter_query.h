@@ -22,9 +22,9 @@ enum class LevelFormat {
 /// Where codes are made linear light. All but the first are wrong.
 enum class Decoding { before_filtering, after_filtering, never, twice };
 
-/// What a user may set of a method.
 class ChainStore;
 
+/// What a user may set of a method.
 struct Settings {
     WrapRules wrap;
     ChainKernel kernel = ChainKernel::polyphase;

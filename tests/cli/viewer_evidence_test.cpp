@@ -19,11 +19,11 @@ Finding finding(int x, PixelClass kind, std::uint32_t candidate, std::uint32_t r
 
 std::vector<int> columns(const Verdict& verdict, std::size_t most) {
     std::vector<int> xs;
-    for (const Finding* told : telling_findings(verdict, most)) xs.push_back(told->x);
+    for (const PixelCoord& place : telling_pixels(verdict, most)) xs.push_back(place.x);
     return xs;
 }
 
-TEST(TellingFindings, AreTheWorstOfEachPairSeverestClassFirst) {
+TEST(TellingPixels, AreTheWorstOfEachPairSeverestClassFirst) {
     Verdict verdict;
     verdict.findings = {
         finding(0, PixelClass::edge, 1, 2, 0.1),           finding(1, PixelClass::edge, 2, 1, 0.9),

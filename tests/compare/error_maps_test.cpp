@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "compare/bounds/triangle_depth.h"
-#include "compare/explanation/explainer.h"
 #include "compare/explanation/illustration.h"
 #include "test_scene.h"
 
@@ -106,10 +105,9 @@ TEST(ErrorMaps, AreMadeWhereTheyAreAskedFor) {
 
 std::vector<std::vector<NearbyImage>> images_around(const TestScene& t, std::span<const PixelCoord> places,
                                                     std::size_t most) {
-    const RenderedFrame ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
-    const auto pixels = Explainer(t.scene, t.view, ours, theirs).undecided_at(places);
     std::vector<std::vector<NearbyImage>> images;
-    for (auto& [explanation, drawn] : illustrate(t.scene, t.view, ours, theirs, {pixels, 1.0, most}))
+    for (auto& [explanation, drawn] : illustrate(t.scene, t.view, {t.candidate, t.candidate_precision},
+                                                 {t.reference, t.reference_precision}, {places, 1.0, most}))
         images.push_back(std::move(drawn));
     return images;
 }
@@ -157,8 +155,7 @@ TEST(Explain, WhatIsDrawnBesideAStoryDoesNotChangeIt) {
     answer_background(t.reference, 5, 4);
     const RenderedFrame ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
     const PixelCoord places[] = {{5, 4}, {2, 2}, {0, 0}, {4, 4}};
-    const auto pixels = Explainer(t.scene, t.view, ours, theirs).undecided_at(places);
-    const auto illustrated = illustrate(t.scene, t.view, ours, theirs, {pixels, 1, 9});
+    const auto illustrated = illustrate(t.scene, t.view, ours, theirs, {places, 1, 9});
     ASSERT_EQ(illustrated.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i) {
         const PixelExplanation explanation = explain(t.scene, t.view, ours, theirs, places[i]);

@@ -66,7 +66,7 @@ TEST(Explain, SpendsNoMoreThanItIsGivenAndSaysWhatIsLeftOut) {
                               {t.reference, t.reference_precision});
     const PixelCoord place{1, 1};
     const auto explained = [&](std::size_t most_work) {
-        PixelExplanation e = explainer.begin(explainer.undecided_at({&place, 1})).front();
+        PixelExplanation e = explainer.begin({&place, 1}).front();
         SearchPixel search_pixel = search_pixel_of(e);
         explainer.search({&search_pixel, 1});
         explainer.finish(e, search_pixel, most_work);
@@ -102,8 +102,7 @@ TEST(Explain, ManyPixelsOfAViewShareItsWork) {
     std::vector<PixelCoord> many(599, {3, 3});  // where nothing is near
     many.push_back(one.front());
     const auto told = [&](std::span<const PixelCoord> places) {
-        const auto pixels = Explainer(t.scene, t.view, candidate, reference).undecided_at(places);
-        return illustrate(t.scene, t.view, candidate, reference, {pixels, 1, 4}).back().explanation;
+        return illustrate(t.scene, t.view, candidate, reference, {places, 1, 4}).back().explanation;
     };
     EXPECT_EQ(told(one).left_out, 0u);
     const PixelExplanation alone = told(many),

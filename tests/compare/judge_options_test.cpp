@@ -11,8 +11,6 @@
 #include "compare/admissible/admissibility.h"
 #include "compare/admissible/depth_rule.h"
 #include "compare/agree/agree.h"
-#include "compare/explanation/explain.h"
-#include "compare/explanation/explainer.h"
 #include "compare/judge.h"
 #include "random_surroundings.h"
 #include "test_scene.h"
@@ -172,33 +170,6 @@ TEST(Judge, SaysOfEveryPixelWhatTheRulesSayOfItByItself) {
          {PixelClass::agree, PixelClass::depth_tie, PixelClass::reference_wrong, PixelClass::wrong_depth,
           PixelClass::hole, PixelClass::outside, PixelClass::hidden, PixelClass::invalid})
         EXPECT_GT(said[std::size_t(c)], 50u) << name_of(c);
-}
-
-TEST(Explain, AFindingNeedsNoSecondLookAtTheFrame) {
-    std::array<std::size_t, 2> told{};  // by whether ids differ
-    for (std::uint32_t seed = 0; seed < 60; ++seed) {
-        SCOPED_TRACE(seed);
-        const Shown s(seed);
-        const RenderedFrame ours{s.candidate, s.ours}, theirs{s.reference, s.theirs};
-        const Verdict verdict = s.verdict(full_detail);
-        std::vector<UndecidedPixel> pixels;
-        std::vector<PixelCoord> places;
-        for (const Finding& f : verdict.findings) {
-            pixels.push_back(undecided_of(f));
-            places.push_back({f.x, f.y});
-            ++told[f.candidate.primitive != f.reference.primitive];
-        }
-        const Explainer explainer(s.scene, s.view, ours, theirs);
-        const auto by_finding = explainer.begin(pixels),
-                   anew = explainer.begin(explainer.undecided_at(places));
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
-            EXPECT_EQ(in_words(s.scene, by_finding[i]), in_words(s.scene, anew[i]));
-            EXPECT_EQ(by_finding[i].candidate.admissibility, anew[i].candidate.admissibility);
-            EXPECT_TRUE(same_finding(by_finding[i].finding, anew[i].finding));
-        }
-    }
-    EXPECT_GT(told[0], 100u);
-    EXPECT_GT(told[1], 100u);
 }
 
 TEST(JudgeOptions, ChangeNoClassCountOrRecord) {
