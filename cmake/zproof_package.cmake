@@ -35,7 +35,7 @@ renderer declares. No threshold is tuned and no golden image is kept.")
 set(CPACK_DEBIAN_LIBZPROOF-DEV_PACKAGE_NAME libzproof-dev)
 set(CPACK_DEBIAN_LIBZPROOF-DEV_PACKAGE_SECTION libdevel)
 set(development_packages "zproof (= ${package_version})" libboost-dev libdraco-dev libegl-dev libeigen3-dev libembree-dev libglm-dev libgmp-dev libisal-dev
-    libmeshoptimizer-dev nettle-dev libopengl-dev libtbb-dev libtinygltf-dev libtinyobjloader-dev nlohmann-json3-dev zlib1g-dev)
+    libmeshoptimizer-dev nettle-dev libopengl-dev libtbb-dev libtinygltf-dev libtinyobjloader-dev libwebp-dev nlohmann-json3-dev zlib1g-dev)
 list(JOIN development_packages ", " CPACK_DEBIAN_LIBZPROOF-DEV_PACKAGE_DEPENDS)
 set(CPACK_COMPONENT_LIBZPROOF-DEV_DESCRIPTION "Static libraries, headers, CMake package and pkg-config file: load a scene,
 trace it, and hand your own frames to the judge.")

@@ -79,10 +79,6 @@ void write_png(const std::filesystem::path& file, const Plane<Rgb8>& picture) {
     write_encoded(file, picture, Format::png);
 }
 
-void write_webp(const std::filesystem::path& file, const Plane<Rgb8>& picture) {
-    write_encoded(file, picture, Format::webp);
-}
-
 void write_jpeg(const std::filesystem::path& file, const Plane<Rgb8>& picture) {
     write_encoded(file, picture, Format::jpeg);
 }

@@ -12,7 +12,7 @@
 
 namespace zproof::image_io {
 
-enum class Format { unknown, exr, tiff, png, jpeg, webp, pfm, dds, npy };
+enum class Format { unknown, exr, tiff, png, jpeg, pfm, dds, npy };
 
 /// Type of a sample as it lies in the file; `other` is none that zproof reads.
 enum class Sample { uint8, uint16, uint32, half, float32, int32, int64, float64, other };
@@ -94,7 +94,7 @@ struct TextureLookup {
 class Textures;  ///< the module's own
 
 /// An interface of another number is not used.
-inline constexpr int interface_number = 6;
+inline constexpr int interface_number = 7;
 
 struct ModuleTable {
     int interface = interface_number;

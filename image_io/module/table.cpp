@@ -31,8 +31,6 @@ const char* plugin_of(Format format) {
             return "png";
         case Format::jpeg:
             return "jpeg";
-        case Format::webp:
-            return "webp";
         case Format::dds:
             return "dds";
         default:
@@ -154,8 +152,7 @@ void read(OpenFile& file, const Block& block, void* to) {
     if (!done || input.has_error()) refuse(input.geterror());
 }
 
-// Of 100: a sixth and a quarter of the bytes of a PNG, and lines of a pixel stay whole.
-constexpr int webp_quality = 70, jpeg_quality = 75;
+constexpr int jpeg_quality = 75;  // of 100: a quarter of the bytes of a PNG
 
 OIIO::ImageSpec spec_of(const Raster& raster) {
     OIIO::ImageSpec spec(raster.width, raster.height, int(raster.channels.size()),
@@ -164,10 +161,7 @@ OIIO::ImageSpec spec_of(const Raster& raster) {
         spec.channelnames[c] = raster.channels[c].name;
         spec.channelformats.push_back(type_of(raster.channels[c].sample));
     }
-    if (raster.format == Format::webp) {
-        spec.channelformats.clear();
-        spec.attribute("CompressionQuality", webp_quality);
-    } else if (raster.format == Format::jpeg) {
+    if (raster.format == Format::jpeg) {
         spec.channelformats.clear();
         spec.attribute("compression", "jpeg:" + std::to_string(jpeg_quality));
     } else if (raster.format == Format::png) {

@@ -75,6 +75,13 @@ TEST(Evidence, OfProvenViewsIsWhatThePageShowsAndTheVerdictStays) {
     EXPECT_EQ(folder.read("all/report.html").find("were not kept"), std::string::npos);
 }
 
+TEST(Evidence, OfProvenViewsNeedsNoImageModule) {
+    const Folder folder;
+    const Ran ran = run(folder, joined({room, {"-o", "out"}}), {"ZPROOF_IMAGE_IO=/no/such/module.so"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+    EXPECT_EQ(evidence_in(folder, "out").size(), 2 * of_every_view.size());
+}
+
 TEST(Evidence, OfViewsWithDefectsIsWhatEveryViewLeaves) {
     const Folder folder;
     ASSERT_EQ(run(folder, joined({room, broken_promise, of_all, {"-o", "all"}})).exit_code, 1);
