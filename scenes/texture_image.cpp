@@ -140,7 +140,6 @@ Image image_of_light(const Picture& picture) {
 }  // namespace
 
 bool is_texture_of_floats(const std::filesystem::path& file) {
-    image_io::load_module();
     return stored_image(file).is_real;
 }
 

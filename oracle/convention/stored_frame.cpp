@@ -7,8 +7,8 @@
 
 #include "frame/frame_error.h"
 #include "frame/number_text.h"
+#include "image_io/image_file.h"
 #include "image_io/image_io.h"
-#include "image_io/module.h"
 #include "image_io/raw_frame.h"
 #include "math/srgb.h"
 #include "oracle/convention/frame_bytes.h"
@@ -62,7 +62,7 @@ Frame read_here(const fs::path& file, const Convention& convention, const View& 
 Frame read_stored_frame(const fs::path& file, const Convention& convention, const View& view, IdChannel ids,
                         std::chrono::milliseconds time_limit) {
     const std::size_t pixels = Resolution{view.width, view.height}.pixel_count();
-    image_io::load_module();
+    image_io::load_module_for(file);
     const Bytes bytes =
         isolated(file.string(), {reader_memory_bytes + most_bytes_per_pixel * pixels, time_limit},
                  [&] { return bytes_of(read_here(file, convention, view, ids)); });
@@ -71,7 +71,7 @@ Frame read_stored_frame(const fs::path& file, const Convention& convention, cons
 
 Resolution stored_frame_size(const fs::path& file, const Convention& convention, IdChannel ids,
                              std::chrono::milliseconds time_limit) {
-    image_io::load_module();
+    image_io::load_module_for(file);
     const Bytes bytes = isolated(file.string(), {reader_memory_bytes, time_limit}, [&] {
         const Resolution size = size_of(file, convention, ids);
         const auto* first = reinterpret_cast<const std::byte*>(&size);
@@ -84,7 +84,7 @@ Resolution stored_frame_size(const fs::path& file, const Convention& convention,
 
 std::vector<std::string> stored_frame_channels(const fs::path& file,
                                                std::chrono::milliseconds time_limit) try {
-    image_io::load_module();
+    image_io::load_module_for(file);
     const Bytes bytes = isolated(file.string(), {reader_memory_bytes, time_limit}, [&] {
         Bytes all;
         for (const std::string& name : depth_file_channels(file))
@@ -137,7 +137,7 @@ Picture picture_of_codes(const std::filesystem::path& file, const View& view) {
 Picture read_stored_picture(const std::filesystem::path& file, const View& view,
                             std::chrono::milliseconds time_limit) {
     Picture picture({view.width, view.height});
-    image_io::load_module();
+    image_io::load_module_for(file);
     const std::size_t memory = reader_memory_bytes + picture_bytes_per_pixel * picture.size().pixel_count();
     const Bytes bytes = isolated(file.string(), {memory, time_limit}, [&] {
         if (stored_image(file).is_of_bytes) return bytes_of(picture_of_codes(file, view));
