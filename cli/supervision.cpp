@@ -9,6 +9,7 @@
 #include "cli/worker.h"
 #include "program/interrupt.h"
 #include "program/usage_error.h"
+#include "renderers/registry.h"
 #include "reports/json.h"
 
 namespace zproof {
@@ -71,9 +72,15 @@ class Supervision {
         }
     }
 
+    /// While the worker judges the first scene, this process asks the oracles that nobody named: POV-Ray
+    /// takes a fifth of a second to say its version.
     void take_facts(Results facts) {
         results_.embree = std::move(facts.embree);
+        if (!results_.renderers.empty()) return;  // from a worker before this one
         results_.renderers = std::move(facts.renderers);
+        for (const OracleChoice& oracle : config_.renderers.oracles)
+            if (oracle.need == OracleChoice::Need::welcome && absence_of(oracle.renderer).empty())
+                results_.renderers.push_back(facts_of(oracle.renderer));
     }
 
     void take_scene(Results scene) {

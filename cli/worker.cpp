@@ -27,19 +27,19 @@
 namespace zproof {
 namespace {
 
-/// Candidate, reference, and the oracles that can be asked. Throws OracleError for one that must be there
-/// and is not.
-std::vector<RendererFacts> facts_of_all(const ChosenRenderers& renderers) {
-    std::vector<RendererFacts> present;
-    const auto call = [&](const RendererChoice& choice, OracleChoice::Need need) {
-        const std::string absent = absence_of(choice);
-        if (absent.empty()) return present.push_back(facts_of(choice));
-        if (need != OracleChoice::Need::welcome) throw OracleError{name_of(choice) + ": " + absent};
+/// Candidate, reference, and the oracles that somebody named. Throws OracleError for one that is absent.
+std::vector<RendererFacts> facts_of_named(const ChosenRenderers& renderers) {
+    std::vector<RendererFacts> named;
+    const auto call = [&](const RendererChoice& choice) {
+        if (const std::string absent = absence_of(choice); !absent.empty())
+            throw OracleError{name_of(choice) + ": " + absent};
+        named.push_back(facts_of(choice));
     };
-    call(renderers.candidate, OracleChoice::Need::required);
-    call(renderers.reference, OracleChoice::Need::required);
-    for (const OracleChoice& oracle : renderers.oracles) call(oracle.renderer, oracle.need);
-    return present;
+    call(renderers.candidate);
+    call(renderers.reference);
+    for (const OracleChoice& oracle : renderers.oracles)
+        if (oracle.need != OracleChoice::Need::welcome) call(oracle.renderer);
+    return named;
 }
 
 /// What the worker does, and where it tells of it.
@@ -72,7 +72,7 @@ struct Work {
         config.progress.on_stage([this](const std::string& stage) { tell(Message::Kind::stage, stage); });
         Results facts;
         facts.embree = oracle::embree_version();
-        facts.renderers = facts_of_all(config.renderers);
+        facts.renderers = facts_of_named(config.renderers);
         tell(Message::Kind::facts, to_message_pack(facts));
         on_threads(threads, [this] { judge_scenes(); });
     }

@@ -121,18 +121,19 @@ Answers vulkan_on(const Scene& scene, const BuiltIn& one, std::chrono::seconds) 
     return {[vulkan](const View& view) { return vulkan->render(view); }};
 }
 
-/// POV-Ray's version is asked only once, since that runs the program. Empty where it is not installed.
-std::string povray_version_words() {
-    static const std::string version = oracle::povray_version().value_or("");
-    return version;
+/// Does a shell find it: a file, a program on PATH, or a word of its own such as `cd`?
+bool can_be_started(const std::string& name) {
+    if (name.find('/') != std::string::npos) return access(name.c_str(), X_OK) == 0;
+    return oracle::run({.arguments = oracle::shell_line("command -v " + name)}).succeeded();
 }
 
-std::string povray_version(const BuiltIn&) { return povray_version_words(); }
+std::string povray_version(const BuiltIn&) { return oracle::povray_version().value_or(""); }
 
 Precision povray_precision(const BuiltIn&) { return oracle::povray_precision(); }
 
 std::string povray_absence(const BuiltIn&) {
-    return povray_version_words().empty() ? "not installed; on Debian: apt-get install povray" : "";
+    static const bool is_there = can_be_started("povray");
+    return is_there ? "" : "not installed; on Debian: apt-get install povray";
 }
 
 Answers povray_on(const Scene& scene, const BuiltIn&, std::chrono::seconds time_limit) {
@@ -243,12 +244,6 @@ std::string first_name_in(const std::string& command) {
         return std::isalnum(std::uint8_t(c)) != 0 || std::strchr("./_+-", c);
     };
     return std::ranges::all_of(word, is_plain) ? word : "";
-}
-
-/// Does a shell find it: a file, a program on PATH, or a word of its own such as `cd`?
-bool can_be_started(const std::string& name) {
-    if (name.find('/') != std::string::npos) return access(name.c_str(), X_OK) == 0;
-    return oracle::run({.arguments = oracle::shell_line("command -v " + name)}).succeeded();
 }
 
 /// Those that zproof knows by name give triangles.
