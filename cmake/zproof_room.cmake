@@ -45,23 +45,27 @@ function(zproof_room name)
     endif()
 endfunction()
 
-# zproof_test(room SOURCES a_test.cpp ... USES ... [SLOW filter] [SAMPLED filter]): one test program per room; every TEST is
-# one ctest entry. Those that a filter of GoogleTest matches have the label slow: `./dev test` leaves them out, but runs
-# every tenth of SAMPLED ones. What is tested is compiled as it is shipped; the tests themselves, for a quick build, are
+# zproof_test(room SOURCES a_test.cpp ... USES ... [SLOW filter] [SAMPLED filter] [TOGETHER]): one test program per room;
+# every TEST is one ctest entry, or all are TOGETHER where a process of its own costs more than a test. Those that a filter
+# of GoogleTest matches have the label slow: `./dev test` leaves them out, but runs every tenth of SAMPLED ones. What is tested is compiled as it is shipped; the tests themselves, for a quick build, are
 # optimized less. Each source is compiled by itself: tests share more names than programs do.
 function(zproof_test room)
-    cmake_parse_arguments(TEST "" "SLOW;SAMPLED" "SOURCES;USES" ${ARGN})
+    cmake_parse_arguments(TEST TOGETHER "SLOW;SAMPLED" "SOURCES;USES" ${ARGN})
     add_executable(${room}_test ${TEST_SOURCES})
     target_link_libraries(${room}_test PRIVATE zproof_strict ${TEST_USES} GTest::gtest_main)
     set_target_properties(${room}_test PROPERTIES UNITY_BUILD OFF)
     zproof_build_quickly(${room}_test OPTIMIZE -O1 LIBRARY GTest::gtest_main HEADER <gtest/gtest.h>)
     set(slow ${TEST_SLOW} ${TEST_SAMPLED})
+    list(JOIN slow ":" slow)
+    if(TEST_TOGETHER)
+        add_test(NAME ${room}.Together COMMAND ${room}_test --gtest_brief=1 --gtest_filter=-${slow})
+        set_tests_properties(${room}.Together PROPERTIES TIMEOUT 600 COST 50)
+    else()
+        gtest_discover_tests(${room}_test TEST_FILTER "-${slow}" DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+    endif()
     if(NOT slow)
-        gtest_discover_tests(${room}_test DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
         return()
     endif()
-    list(JOIN slow ":" slow)
-    gtest_discover_tests(${room}_test TEST_FILTER "-${slow}" DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
     gtest_discover_tests(${room}_test TEST_FILTER "${slow}" DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 1800 LABELS slow)
     if(TEST_SAMPLED)
         add_test(NAME ${room}.EveryTenth COMMAND ${room}_test --gtest_filter=${TEST_SAMPLED})
