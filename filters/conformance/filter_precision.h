@@ -26,6 +26,8 @@ struct WeightLattice {
     enum class Rounding { nearest, down };
     double bits = std::numeric_limits<double>::infinity();
     Rounding rounding = Rounding::nearest;
+
+    bool operator==(const WeightLattice&) const = default;
 };
 
 struct FilterPrecision {
@@ -54,6 +56,8 @@ struct FilterPrecision {
                                 ///< place, in codes; 1/2 is the nearest. 0: the picture is linear light
     WeightLattice weights_on{};  ///< no promise but a hypothesis: weights are rounded to these alone
     double level_offset = 0;  ///< another: places within each level lie so many of its texels on, in u and v
+
+    bool operator==(const FilterPrecision&) const = default;
 };
 
 }  // namespace zproof

@@ -155,6 +155,14 @@ PermittedColours FilterReference::at(int x, int y, std::span<const PrimitiveId> 
     return all;
 }
 
+SeenTexture FilterReference::texture_of(PrimitiveId seen, const FilterPrecision& precision) const {
+    std::optional<Asked>& last = last_asked_.local();
+    if (!last || last->triangle != seen || last->precision != precision)
+        last.emplace(
+            Asked{seen, precision, {view_, textured_triangle(scene_, std::uint32_t(seen)), precision}});
+    return last->texture;
+}
+
 PermittedColours FilterReference::of_surface(int x, int y, PrimitiveId seen,
                                              const FilterPrecision& precision) const {
     if (seen == PrimitiveId::none) return {ColourRange{}};
@@ -163,7 +171,7 @@ PermittedColours FilterReference::of_surface(int x, int y, PrimitiveId seen,
     const ColourRange factor = factor_of(material);
     if (!reference) return {as_shown({glm::dvec3{1}, glm::dvec3{1}}, factor, precision)};
     try {
-        const SeenTexture texture{view_, textured_triangle(scene_, std::uint32_t(seen)), precision};
+        const SeenTexture texture = texture_of(seen, precision);
         PermittedColours permitted = reference({texture, x, y, steps_, precision});
         for (ColourRange& range : permitted)
             range = as_shown(light_of(range, largest, precision), factor, precision);
@@ -181,7 +189,7 @@ std::optional<ColourDraws> FilterReference::draws_at(int x, int y, PrimitiveId s
     if (!reference) return std::nullopt;
     const ColourRange factor = factor_of(material);
     try {
-        const SeenTexture texture{view_, textured_triangle(scene_, std::uint32_t(seen)), precision};
+        const SeenTexture texture = texture_of(seen, precision);
         ColourDraws all = reference({texture, x, y, steps_, precision});
         // The mean of codes is not that of the light that each draw stands for.
         if (decoding_ == Decoding::after_filtering && all.samples > 1) return std::nullopt;

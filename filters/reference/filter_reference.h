@@ -7,6 +7,8 @@
 /// filters/reference/admissible_surfaces.h.
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +16,7 @@
 #include <string_view>
 
 #include "filters/reference/filter_query.h"
+#include "filters/reference/seen_texture.h"
 #include "frame/frame.h"
 
 namespace zproof::oracle {
@@ -49,6 +52,9 @@ class FilterReference {
         double largest = 1;                           ///< of the texels' values, at least 1
     };
     const OfMaterial& of(const Material& material) const;
+    /// The triangle that this thread asked about last is kept: its neighbours in the picture mostly show it,
+    /// too.
+    filter_reference::SeenTexture texture_of(PrimitiveId seen, const FilterPrecision& precision) const;
     PermittedColours of_surface(int x, int y, PrimitiveId seen, const FilterPrecision& precision) const;
     /// What was filtered with what the sum may cost, as linear light.
     ColourRange light_of(const ColourRange& filtered, double largest, const FilterPrecision& precision) const;
@@ -58,6 +64,12 @@ class FilterReference {
     StepRule steps_;
     filter_reference::Decoding decoding_;
     std::vector<OfMaterial> by_material_;
+    struct Asked {
+        PrimitiveId triangle;
+        FilterPrecision precision;
+        filter_reference::SeenTexture texture;
+    };
+    mutable tbb::enumerable_thread_specific<std::optional<Asked>> last_asked_;
 };
 
 }  // namespace zproof::oracle
