@@ -134,19 +134,4 @@ std::vector<IntervalImage> chain(const texture::LinearImage& image, const Settin
     return levels;
 }
 
-Chain ChainStore::of(const texture::LinearImage& image, const Settings& s) {
-    constexpr std::size_t most_chains = 4;
-    Rule rule{s.kernel, s.wrap.u, s.wrap.v, s.texel_bits, s.format, s.given_levels};
-    const std::lock_guard lock(mutex_);
-    const auto found = std::ranges::find_if(made_, [&](const Made& made) {
-        return made.rule == rule && made.image.width == image.width && made.image.height == image.height &&
-               made.image.texels == image.texels;
-    });
-    if (found != made_.end()) return found->chain;
-    if (made_.size() == most_chains) made_.pop_back();
-    made_.push_front(
-        {std::move(rule), image, std::make_shared<const std::vector<IntervalImage>>(chain(image, s))});
-    return made_.front().chain;
-}
-
 }  // namespace zproof::oracle::filter_reference

@@ -2,9 +2,6 @@
 /// stored format may have cost.
 #pragma once
 
-#include <deque>
-#include <memory>
-#include <mutex>
 #include <vector>
 
 #include "filters/reference/filter_query.h"
@@ -47,34 +44,6 @@ IntervalImage shrunk(const IntervalImage& finer, int width, int height, const Se
 /// Level k + 1 has max(1, floor(size / 2)) texels on either side, down to 1 x 1. Levels that are given are
 /// exact.
 std::vector<IntervalImage> chain(const texture::LinearImage& image, const Settings& settings);
-
-using Chain = std::shared_ptr<const std::vector<IntervalImage>>;
-
-/// The last few chains, so that definitions that are alike in what makes one share it. For many threads.
-class ChainStore {
-  public:
-    /// As chain().
-    Chain of(const texture::LinearImage& image, const Settings& settings);
-
-  private:
-    /// What of the settings a chain depends on.
-    struct Rule {
-        ChainKernel kernel;
-        Wrap wrap_u, wrap_v;
-        double texel_bits;
-        LevelFormat format;
-        std::shared_ptr<const std::vector<texture::LinearImage>> given_levels;
-
-        bool operator==(const Rule&) const = default;
-    };
-    struct Made {
-        Rule rule;
-        texture::LinearImage image;
-        Chain chain;
-    };
-    std::mutex mutex_;
-    std::deque<Made> made_;  ///< the latest first
-};
 
 /// The chain whose texels are weighed by the surfaces' area that they cover; where no surface is known, as
 /// chain().

@@ -22,7 +22,7 @@ enum class LevelFormat {
 /// Where codes are made linear light. All but the first are wrong.
 enum class Decoding { before_filtering, after_filtering, never, twice };
 
-class ChainStore;
+class SharedImages;
 
 /// What a user may set of a method.
 struct Settings {
@@ -44,7 +44,7 @@ struct Settings {
     /// Whose triangles show the texture, its image of this index; null: not known.
     const Scene* scene = nullptr;
     int image = 0;
-    std::shared_ptr<ChainStore> chains{};  ///< that other references have made; null: none
+    std::shared_ptr<SharedImages> shared{};  ///< with other references; null: with none
     double texel_error =
         0;  ///< stored texels of level 0 are rounded by at most this much (a table of integers)
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "filters/reference/colour_range_sums.h"
+#include "filters/reference/shared_images.h"
 #include "math/rounding.h"
 #include "math/srgb.h"
 
@@ -11,19 +12,6 @@ namespace zproof::oracle {
 namespace {
 
 using namespace filter_reference;
-
-texture::LinearImage decoded(const Image& image, Decoding decoding) {
-    texture::LinearImage linear =
-        texture::linear_image({image.width, image.height, image.texels, image.light});
-    if (decoding == Decoding::before_filtering) return linear;
-    for (std::size_t i = 0; i < linear.texels.size(); ++i)
-        for (int c = 0; c < 3; ++c) {
-            const double code = image.texels[4 * i + std::size_t(c)] / 255.0;
-            linear.texels[i][c] =
-                float(decoding == Decoding::twice ? decoded_srgb(decoded_srgb(code)) : code);
-        }
-    return linear;
-}
 
 glm::dvec3 decoded(const glm::dvec3& codes) {
     return {decoded_srgb(codes.x), decoded_srgb(codes.y), decoded_srgb(codes.z)};
@@ -40,14 +28,6 @@ ColourRange decoded(const ColourRange& codes, const FilterPrecision& precision) 
 /// What the sums over texels may cost, theirs and ours, in the largest texel. No definition's number of
 /// terms times the sum of their absolute weights is more than this; cardinality-8's is 8 times 4.1 at most.
 constexpr int most_terms = 4096;
-
-/// At least 1, the largest code.
-double largest_of(const texture::LinearImage& image) {
-    float largest = 1;
-    for (const glm::vec4& texel : image.texels)
-        largest = std::max({largest, std::abs(texel.r), std::abs(texel.g), std::abs(texel.b)});
-    return double{largest};
-}
 
 /// The factor may be read as the file's number or as the float32 nearest to it, or be anything between.
 ColourRange factor_of(const Material& material) {
@@ -130,10 +110,9 @@ FilterReference::FilterReference(const Scene& scene, const View& view, const Def
         own.image = texture.image;
         OfMaterial& one = by_material_.emplace_back();
         if (!is_textured(scene, material)) continue;
-        const texture::LinearImage image =
-            decoded(scene.images[std::size_t(texture.image)], settings.decoding);
-        one = {definition.prepare(image, own), {}, largest_of(image)};
-        if (definition.draws) one.draws = definition.draws(image, own);
+        const auto decoded = decoded_image(scene.images[std::size_t(texture.image)], settings);
+        one = {definition.prepare(decoded->image, own), {}, decoded->largest};
+        if (definition.draws) one.draws = definition.draws(decoded->image, own);
     }
 }
 

@@ -6,9 +6,7 @@
 namespace zproof::oracle::filter_reference {
 
 Levels::Levels(const texture::LinearImage& image, const Settings& settings)
-    : settings_(settings),
-      levels_(settings.chains ? settings.chains->of(image, settings)
-                              : std::make_shared<const std::vector<IntervalImage>>(chain(image, settings))) {}
+    : settings_(settings), levels_(chain_of(image, settings)) {}
 
 Levels::Levels(std::vector<IntervalImage> levels, const Settings& settings)
     : settings_(settings), levels_(std::make_shared<const std::vector<IntervalImage>>(std::move(levels))) {}

@@ -3,6 +3,7 @@
 
 #include "filters/reference/chain.h"
 #include "filters/reference/lod.h"
+#include "filters/reference/shared_images.h"
 
 namespace zproof::oracle::filter_reference {
 

@@ -81,7 +81,7 @@ std::vector<Piece> pieces(const Interval& at) {
 }
 
 struct Source {
-    IntervalImage image;
+    std::shared_ptr<const IntervalImage> image;
     WrapRules wrap;
 };
 
@@ -91,8 +91,8 @@ ColourRange weighted_sixteen(const Source& source, const Piece& u, const Piece& 
     for (int j = 0; j < 4; ++j)
         for (int i = 0; i < 4; ++i) {
             const auto& texel =
-                source.image.at(wrapped_index(source.wrap.u, u.first + i - 1, source.image.width),
-                                wrapped_index(source.wrap.v, v.first + j - 1, source.image.height));
+                source.image->at(wrapped_index(source.wrap.u, u.first + i - 1, source.image->width),
+                                 wrapped_index(source.wrap.v, v.first + j - 1, source.image->height));
             sum = sum + across[std::size_t(i)] * down[std::size_t(j)] * around(texel.value, texel.radius);
         }
     return sum;
@@ -105,7 +105,7 @@ ColourRange hull_of_all(const std::vector<ColourRange>& all) {
 }
 
 TexelInterval seen_place(const Source& source, const FilterQuery& q) {
-    return place_in(source.image, source.image, q.seen.at(q.x + 0.5, q.y + 0.5), q.precision);
+    return place_in(*source.image, *source.image, q.seen.at(q.x + 0.5, q.y + 0.5), q.precision);
 }
 
 Weights good_to(Weights weights, double error) {
@@ -126,9 +126,8 @@ ColourRange sixteen_texels(const Source& source, const FilterQuery& q, WeightsAt
 
 template <WeightsAt weights_at>
 MethodReference separable_reference(const texture::LinearImage& image, const Settings& settings) {
-    return [source = Source{exact_image(image), settings.wrap}](const FilterQuery& q) -> PermittedColours {
-        return {sixteen_texels(source, q, weights_at)};
-    };
+    return [source = Source{exact_level(image, settings), settings.wrap}](
+               const FilterQuery& q) -> PermittedColours { return {sixteen_texels(source, q, weights_at)}; };
 }
 
 /// Sigg and Hadwiger 2005: weights w0 to w3 as two linear reads.
@@ -157,9 +156,9 @@ ColourRange four_reads(const Source& source, const FilterQuery& q) {
             for (std::size_t down = 0; down < 2; ++down)
                 for (std::size_t right = 0; right < 2; ++right) {
                     const TexelInterval at{u.places[right], v.places[down]};
-                    const TexelInterval read = place_in(source.image, source.image, at, q.precision);
+                    const TexelInterval read = place_in(*source.image, *source.image, at, q.precision);
                     sum = sum + u.weights[right] * v.weights[down] *
-                                    bilinear(source.image, source.wrap, read, q.precision);
+                                    bilinear(*source.image, source.wrap, read, q.precision);
                 }
             all.push_back(sum);
         }
@@ -167,15 +166,15 @@ ColourRange four_reads(const Source& source, const FilterQuery& q) {
 }
 
 MethodReference b_spline_by_reads(const texture::LinearImage& image, const Settings& settings) {
-    return [source = Source{exact_image(image), settings.wrap}](const FilterQuery& q) -> PermittedColours {
-        return {four_reads(source, q)};
-    };
+    return [source = Source{exact_level(image, settings), settings.wrap}](
+               const FilterQuery& q) -> PermittedColours { return {four_reads(source, q)}; };
 }
 
 /// Trilinear, level 0 by the B-spline. Affine in the LOD between whole levels, so the ends hold the extremes.
 MethodReference smart_bicubic(const texture::LinearImage& image, const Settings& settings) {
     return [levels = std::make_shared<const Levels>(image, settings),
-            source = Source{exact_image(image), settings.wrap}](const FilterQuery& q) -> PermittedColours {
+            source = Source{exact_level(image, settings), settings.wrap}](
+               const FilterQuery& q) -> PermittedColours {
         const PixelFootprint f = q.footprint();
         const Interval level =
             level_of(lod(LodRule::gl_maximum, f), levels->settings(), levels->count(), q.precision);

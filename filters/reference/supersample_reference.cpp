@@ -1,4 +1,4 @@
-#include "filters/reference/filter_query.h"
+#include "filters/reference/shared_images.h"
 
 namespace zproof::oracle::filter_reference {
 
@@ -15,17 +15,17 @@ enum class TexelFilter { nearest, bilinear };
 /// The mean at the centres of n x n equal squares of the pixel.
 template <TexelFilter reading>
 MethodReference supersample(const texture::LinearImage& image, const Settings& settings) {
-    return [level = exact_image(image), settings](const FilterQuery& q) -> PermittedColours {
+    return [level = exact_level(image, settings), settings](const FilterQuery& q) -> PermittedColours {
         const int n = settings.subdivisions;
         ColourRange sum;
         for (int j = 0; j < n; ++j) {
             for (int i = 0; i < n; ++i) {
                 const TexelInterval at = q.seen.at(q.x + (i + 0.5) / n, q.y + (j + 0.5) / n);
-                const TexelInterval place = place_in(level, level, at, q.precision);
+                const TexelInterval place = place_in(*level, *level, at, q.precision);
                 if constexpr (reading == TexelFilter::nearest)
-                    sum = sum + hull_of(nearest(level, settings.wrap, place));
+                    sum = sum + hull_of(nearest(*level, settings.wrap, place));
                 else
-                    sum = sum + bilinear(level, settings.wrap, place, q.precision);
+                    sum = sum + bilinear(*level, settings.wrap, place, q.precision);
             }
         }
         return {Interval{1.0 / (n * n)} * sum};

@@ -4,7 +4,7 @@
 
 #include "filters/conformance/picture_format.h"
 #include "filters/methods/catalogue.h"
-#include "filters/reference/chain.h"
+#include "filters/reference/shared_images.h"
 
 namespace zproof::selftest {
 
@@ -57,13 +57,13 @@ ChangedDefinitions::ChangedDefinitions(const FilterFixture& fixture, const Filte
       claim_(claim),
       surfaces_(
           std::make_shared<const oracle::AdmissibleSurfaces>(fixture.scene, fixture.view, claim.precision)),
-      chains_(std::make_shared<oracle::filter_reference::ChainStore>()) {}
+      images_(std::make_shared<oracle::filter_reference::SharedImages>()) {}
 
 PixelReference ChangedDefinitions::under(const DefinitionChange& change) const {
     const std::shared_ptr<const Scene> scene = scene_under(change, fixture_);
     const FilterClaim now = claim_under(change, claim_);
     oracle::FilterSettings settings = reference_settings(now.options, now.precision);
-    settings.chains = chains_;
+    settings.shared = images_;
     if (change.of_reference) change.of_reference(settings);
     View seen = fixture_.view;
     if (change.of_view) change.of_view(seen);

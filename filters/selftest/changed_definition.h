@@ -31,7 +31,7 @@ FilterClaim claim_under(const DefinitionChange& change, FilterClaim claim);
 Picture picture_under(const DefinitionChange& change, const FilterFixture& fixture, const FilterClaim& claim);
 
 /// Filter references of one claim under changes. The fixture must outlive it and them; the surfaces that may
-/// be seen are found once, and so are chains.
+/// be seen are found once, and what definitions make of an image is shared.
 class ChangedDefinitions {
   public:
     /// The method must have a filter reference.
@@ -44,7 +44,7 @@ class ChangedDefinitions {
     const FilterFixture& fixture_;
     FilterClaim claim_;
     std::shared_ptr<const oracle::AdmissibleSurfaces> surfaces_;
-    std::shared_ptr<oracle::filter_reference::ChainStore> chains_;
+    std::shared_ptr<oracle::filter_reference::SharedImages> images_;
 };
 
 }  // namespace zproof::selftest
