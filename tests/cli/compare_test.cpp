@@ -223,6 +223,9 @@ TEST_F(StoredFrames, PovRayIsNotAskedUnnamedWhereItTakesLongerThanTheRest) {
                            "rest; --oracle povray:sample asks it\n"),
               std::string::npos)
         << ran.out;
+    const json renderers = json::parse(folder.read("zproof-out/results.json")).at("run").at("renderers");
+    ASSERT_EQ(renderers.size(), 3u) << "candidate, reference and POV-Ray";
+    EXPECT_EQ(renderers.at(2).at("version").get<std::string>().substr(0, 8), "POV-Ray ");
 }
 
 TEST_F(StoredFrames, PovRayIsAskedAboutASampleOrAboutEveryPixel) {
