@@ -45,10 +45,12 @@ function(zproof_room name)
     endif()
 endfunction()
 
-# zproof_test(room SOURCES a_test.cpp ... USES ... [SLOW filter] [SAMPLED filter] [TOGETHER]): one test program per room;
-# every TEST is one ctest entry, or all are TOGETHER where a process of its own costs more than a test. Those that a filter
-# of GoogleTest matches have the label slow: `./dev test` leaves them out, but runs every tenth of SAMPLED ones. What is tested is compiled as it is shipped; the tests themselves, for a quick build, are
-# optimized less. Each source is compiled by itself: tests share more names than programs do.
+# zproof_test(room SOURCES a_test.cpp ... USES ... [SLOW filter] [SAMPLED filter] [TOGETHER]): one test program per
+# room; every TEST is one ctest entry, or all are TOGETHER where a process of its own costs more than a test. Those that
+# a filter of GoogleTest matches have the label slow: `./dev test` leaves them out, but runs every tenth of SAMPLED
+# ones. A name has no value in it: ctest begins with what took longest, and forgets how long a name with a blank took.
+# What is tested is compiled as it is shipped; the tests themselves, for a quick build, are optimized less. Each source
+# is compiled by itself: tests share more names than programs do.
 function(zproof_test room)
     cmake_parse_arguments(TEST TOGETHER "SLOW;SAMPLED" "SOURCES;USES" ${ARGN})
     add_executable(${room}_test ${TEST_SOURCES})
@@ -61,12 +63,12 @@ function(zproof_test room)
         add_test(NAME ${room}.Together COMMAND ${room}_test --gtest_brief=1 --gtest_filter=-${slow})
         set_tests_properties(${room}.Together PROPERTIES TIMEOUT 600 COST 50)
     else()
-        gtest_discover_tests(${room}_test TEST_FILTER "-${slow}" DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+        gtest_discover_tests(${room}_test TEST_FILTER "-${slow}" NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
     endif()
     if(NOT slow)
         return()
     endif()
-    gtest_discover_tests(${room}_test TEST_FILTER "${slow}" DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 1800 LABELS slow)
+    gtest_discover_tests(${room}_test TEST_FILTER "${slow}" NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 1800 LABELS slow)
     if(TEST_SAMPLED)
         add_test(NAME ${room}.EveryTenth COMMAND ${room}_test --gtest_filter=${TEST_SAMPLED})
         set_tests_properties(${room}.EveryTenth PROPERTIES TIMEOUT 1200 COST 100
