@@ -54,7 +54,7 @@ void write_planes(const std::filesystem::path& file, std::span<const NamedPlane>
 void write_png(const std::filesystem::path& file, const Plane<Rgb8>& picture);
 /// A lossy sRGB WebP, for pages of many pictures.
 void write_webp(const std::filesystem::path& file, const Plane<Rgb8>& picture);
-/// A lossy sRGB JPEG, in a fifth of a WebP's time.
+/// A lossy sRGB JPEG, in a twentieth of a WebP's time.
 void write_jpeg(const std::filesystem::path& file, const Plane<Rgb8>& picture);
 /// The PNG of write_png() in memory, for pages that embed it.
 std::vector<std::byte> encode_png(const Plane<Rgb8>& picture);
