@@ -222,7 +222,7 @@ SceneSource select_scene(const std::string& word, const fs::path& models) {
         scene->models = models;
         return *scene;
     }
-    if (is_of_results(word)) throw no_scene_but_results(word);
+    if (is_of_results(word) && FolderWalk(word).sources().empty()) throw no_scene_but_results(word);
     throw SceneError{word + ": a folder, where one scene was expected; name a file in it"};
 }
 

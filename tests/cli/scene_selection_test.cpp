@@ -8,6 +8,7 @@
 #include "scenes/scene_error.h"
 #include "scenes/suite.h"
 #include "tests/cli/program.h"
+#include "tests/frame/scratch_folder.h"
 
 namespace zproof {
 namespace {
@@ -143,6 +144,14 @@ TEST(SceneSelection, RefusesAFolderWhereOneSceneIsWanted) {
     EXPECT_THROW(select_scene(folder.path()), SceneError);
     EXPECT_THROW(select_scene("no-such-thing.glb"), SceneError);
     EXPECT_EQ(select_scene(suite_manifest().front().name).origin, "suite");
+}
+
+TEST(SceneSelection, SaysThatAFolderOfScenesIsOneThoughZproofWroteThem) {
+    const Folder folder;
+    folder.write(".zproof-out", "");
+    folder.write("a.glb", "");
+    EXPECT_EQ(complaint<SceneError>([&] { select_scene(folder.path()); }),
+              folder.path().string() + ": a folder, where one scene was expected; name a file in it");
 }
 
 }  // namespace
