@@ -121,7 +121,8 @@ Precision povray_precision() {
 
 std::optional<std::string> povray_version(const std::string& program) {
     try {
-        const Outcome outcome = run({.arguments = {program, "--version"}});
+        const Outcome outcome =
+            run({.arguments = {program, "--version"}, .time_limit = std::chrono::seconds(30)});
         const std::string said = outcome.output + outcome.error_output;
         const std::size_t at = said.find("POV-Ray ");
         return at == std::string::npos ? program : said.substr(at, said.find('\n', at) - at);
