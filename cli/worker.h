@@ -24,8 +24,8 @@ class Worker {
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
-    /// First the renderers' facts, then the stages and the results of each scene: Results as
-    /// MessagePack, with the renderers, or with views. Nothing where it has ended.
+    /// First the facts of the renderers that somebody named, then the stages and the results of each scene:
+    /// Results as MessagePack, with the renderers, or with views. Nothing where it has ended.
     std::optional<Message> next() const { return receive(from_.number()); }
 
     /// Waits for its end. "killed by signal 11 (Segmentation fault)"; empty where it ended as it should.

@@ -9,7 +9,6 @@
 
 #include "frame/frame_error.h"
 #include "frame/input_file.h"
-#include "image_io/frame_files.h"
 #include "image_io/module.h"
 #include "image_io/samples.h"
 
@@ -107,13 +106,8 @@ Format format_of(std::span<const unsigned char> first_bytes) {
     return Format::unknown;
 }
 
-void load_module_for(const std::filesystem::path& frame) {
-    const FrameFiles files = frame_files(frame);
-    for (const std::filesystem::path& file : {files.ids, files.depths}) {
-        if (!fault_of_input(file).empty()) continue;
-        const Format format = format_of(first_bytes_of(file));
-        if (format != Format::unknown && format != Format::npy) load_module();
-    }
+Format format_of(const std::filesystem::path& file) {
+    return fault_of_input(file).empty() ? format_of(first_bytes_of(file)) : Format::unknown;
 }
 
 ImageFile::ImageFile(const std::filesystem::path& file, const std::string& expected, int mip_level)

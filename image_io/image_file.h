@@ -17,10 +17,8 @@ namespace zproof::image_io {
 
 /// The format that the first bytes name; `unknown` for any other file.
 Format format_of(std::span<const unsigned char> first_bytes);
-
-/// Loads the module for copies of this process, where a frame's file, or one of its two, needs it. Leaves
-/// errors to whoever reads the frame.
-void load_module_for(const std::filesystem::path& frame);
+/// The same of a file; `unknown` where it cannot be read.
+Format format_of(const std::filesystem::path& file);
 
 /// Samples of one channel: the pixels from (x, y) of the display window to the right, `stride` bytes apart.
 struct SampleRow {

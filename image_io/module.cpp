@@ -6,6 +6,8 @@
 #include <string>
 
 #include "frame/frame_error.h"
+#include "image_io/frame_files.h"
+#include "image_io/image_file.h"
 
 namespace zproof::image_io {
 namespace {
@@ -42,8 +44,15 @@ void load_module() {
     try {
         module();
     } catch (const FrameError&) {
-        return;  // .npy files need none
+        return;
     }
+}
+
+void load_module_for(const std::filesystem::path& image) {
+    const FrameFiles files = frame_files(image);
+    for (const std::filesystem::path& file : {files.ids, files.depths})
+        if (const Format format = format_of(file); format != Format::unknown && format != Format::npy)
+            load_module();
 }
 
 }  // namespace zproof::image_io

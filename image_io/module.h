@@ -2,6 +2,8 @@
 /// pays for OpenImageIO's 260 shared libraries.
 #pragma once
 
+#include <filesystem>
+
 #include "image_io/module_table.h"
 
 namespace zproof::image_io {
@@ -13,5 +15,7 @@ const ModuleTable& module();
 
 /// Loads it beforehand, for copies of this process. Leaves errors to whoever needs it.
 void load_module();
+/// The same, where an image in this file, or in one of two of a frame, needs it.
+void load_module_for(const std::filesystem::path& image);
 
 }  // namespace zproof::image_io

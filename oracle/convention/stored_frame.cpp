@@ -7,8 +7,8 @@
 
 #include "frame/frame_error.h"
 #include "frame/number_text.h"
-#include "image_io/image_file.h"
 #include "image_io/image_io.h"
+#include "image_io/module.h"
 #include "image_io/raw_frame.h"
 #include "math/srgb.h"
 #include "oracle/convention/frame_bytes.h"
